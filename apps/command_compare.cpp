@@ -176,7 +176,7 @@ int compare_command(const Request& request, const std::vector<std::string>& tech
   }
   print_table(outcomes);
   std::printf("overlap and energy error: the largest of a step; chatter: at the end; ");
-  std::printf("unphysical: a check of the run objects, with the lines above\n");
+  std::printf("unphysical: a check of the run failed, see the messages above\n");
   std::printf("files in %s%s\n", path.c_str(), picture.c_str());
   return stop_signal() != 0 ? 128 + stop_signal() : kDone;
 }

@@ -81,7 +81,7 @@ int diff_command(const std::string& first, const std::string& second) {
   for (std::size_t k = 0; k < both; ++k) {
     const Parting how = parted(one, one.frames[k], two, two.frames[k]);
     if (!how) continue;
-    std::printf("the runs part at %s s, frame %zu:\n  %s\n",
+    std::printf("first difference at %s s, frame %zu:\n  %s\n",
                 rounded_text(one.frames[k].time, 6).c_str(), k, how->c_str());
     if (k == 0) std::printf("frame 0 is the start: these are other scenes or settings\n");
     if (k > 0) std::printf("the %zu frames before it, the start is frame 0, are equal\n", k);
@@ -92,7 +92,7 @@ int diff_command(const std::string& first, const std::string& second) {
     return kDone;
   }
   const bool longer = one.frames.size() > both;
-  std::printf("%zu frames have the same bits, then the %s run goes on to %s s\n", both,
+  std::printf("%zu frames have the same bits, then the %s run continues to %s s\n", both,
               longer ? "first" : "second",
               rounded_text((longer ? one : two).frames.back().time, 6).c_str());
   return kDiffer;

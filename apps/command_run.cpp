@@ -27,7 +27,7 @@ void set_alarm(int microseconds) {
 // The signal was not heard in time: within a long step, or while a file is waited for.
 extern "C" void end_at_once(int) {
   constexpr char message[] =
-      "interrupted within a step, or before the first: tables hold whole lines up to there\n";
+      "interrupted within a step, or before the first: tables have complete lines up to there\n";
   if (write(STDERR_FILENO, message, sizeof message - 1) < 0) _exit(kCannotWrite);
   _exit(128 + static_cast<int>(g_signal));
 }
@@ -107,16 +107,16 @@ int run_into(const Request& request, std::filesystem::path& folder) {
     }
   } catch (const CannotWrite& error) {
     throw CannotWrite(std::string(error.what()) + "; the tables in " + r.folder.string() +
-                      " hold whole lines up to there, and there is no summary.json");
+                      " have complete lines up to there, and there is no summary.json");
   }
   if (!request.quiet) print_summary(r, result);
   if (result.end == RunEnd::interrupted) {
-    std::fprintf(stderr, "interrupted at %.6g s: the files in %s are whole up to there\n",
+    std::fprintf(stderr, "interrupted at %.6g s: the files in %s are complete up to there\n",
                  result.time, r.folder.c_str());
     return 128 + stop_signal();  // as a shell reports a process ended by a signal
   }
   if (!result.refusal.empty()) {
-    std::fprintf(stderr, "%s stopped at %.6g s: %s\nThe files in %s are whole up to there\n",
+    std::fprintf(stderr, "%s stopped at %.6g s: %s\nThe files in %s are complete up to there\n",
                  r.description.technique.c_str(), result.time, result.refusal.c_str(),
                  r.folder.c_str());
     return kMathematical;

@@ -47,13 +47,13 @@ fs::path sample_folder(const Request& request, bool resume) {
   const bool chains = fs::exists(first / chain_file(1), none);
   if (resume) {
     require::that(!request.force, "--resume --force: give one of them");
-    require::that(chains, "--resume: " + first.string() + " has no chains to go on with");
+    require::that(chains, "--resume: " + first.string() + " has no chains to continue");
     return first;
   }
   require::that(
       request.out.empty() || request.force || !chains || fs::exists(first / "summary.json", none),
       "--out " + first.string() +
-          " holds chains that are not finished: go on with --resume, replace them with "
+          " has chains that are not finished: continue with --resume, replace them with "
           "--force, or give another folder");
   return output_folder(request, "sample", chain_file(1));
 }
@@ -90,7 +90,7 @@ void require_same(const fs::path& file, const std::string& now) {
   };
   require::that(false, "--resume: " + file.string() + " has \"" + line(then) +
                            "\", and this is \"" + line(now) +
-                           "\": go on with what it was begun with");
+                           "\": continue with the original settings");
 }
 
 int cores_of(const SampleRequest& sample) {
@@ -117,7 +117,7 @@ int report(const RunDescription& d, const SampleRequest& sample,
     const auto varied = [](const NoiseProposal& p) { return p.impacts > 0; };
     return std::any_of(chain.proposals().begin(), chain.proposals().end(), varied);
   });
-  std::string why = "; the nearest one misses the wishes by " + shortest_text(counts.least);
+  std::string why = "; the closest one has a violation of " + shortest_text(counts.least);
   if (counts.found > 0) why.clear();
   std::fprintf(stderr, "%s: %lld of %d motions were found before chains ended at %d proposals%s\n",
                d.scene.c_str(), static_cast<long long>(counts.found), sample.samples,
@@ -125,8 +125,8 @@ int report(const RunDescription& d, const SampleRequest& sample,
   if (still) {
     std::fprintf(stderr, "no impact was fast enough for noise: try a smaller --noise-speed\n");
   } else {
-    std::fprintf(stderr,
-                 "go on with --resume and more --proposals, or try more noise or other wishes\n");
+    std::fprintf(
+        stderr, "continue with --resume and more --proposals, or try more noise or other wishes\n");
   }
   return kMathematical;
 }
@@ -182,7 +182,7 @@ int sample_command(const Request& request, const SampleRequest& asked) {
     if (counts_of(chains).proposals == 0)
       std::fprintf(stderr, "interrupted before the first motion: nothing was written\n");
     else
-      std::fprintf(stderr, "interrupted: the chains in %s are whole; go on with --resume\n",
+      std::fprintf(stderr, "interrupted: the chains in %s are complete; continue with --resume\n",
                    path.c_str());
     return 128 + stop_signal();  // as a shell reports a process ended by a signal
   }

@@ -102,7 +102,7 @@ class Levels {
     return towers_.states()[idx(body)] == TowerState::supported ? "tower" : "balance";
   }
   [[nodiscard]] static std::string own_reason(const std::string& level) {
-    if (level == "load_proof") return "it carries any load, neighbours may help";
+    if (level == "load_proof") return "it carries any load, with the help of its neighbours";
     if (level == "tower") return "its weight and its load are above its supports";
     return "contact forces balance the weights";
   }
@@ -152,7 +152,7 @@ void print_motion(const Start& start, const Levels& levels, int width) {
     if (const double all = start_of(world, balance, b); all > 0.0)
       list.emplace_back(-std::round(1e6 * all), b);
   if (list.empty()) {
-    std::printf("in balance under the weights, without friction\n");
+    std::printf("in equilibrium under the weights, without friction\n");
     return;
   }
   std::sort(list.begin(), list.end());
@@ -160,12 +160,12 @@ void print_motion(const Start& start, const Levels& levels, int width) {
   StaticEquilibrium rough;
   const BalanceTask task{
       .contacts = start.contacts, .loads = {}, .held = levels.at_rest(), .friction_edges = kEdges};
-  std::printf("not in balance under the weights, without friction%s\n",
+  std::printf("not in equilibrium under the weights, without friction%s\n",
               rough.solve(world, task).balanced
                   ? "; with friction there are forces that balance them"
                   : ", nor with it");
   std::printf("initial accelerations, from rest and without friction:\n");
-  std::printf("%-*s   acceleration x y z [m/s2]       turning x y z [rad/s2]\n", width, "box");
+  std::printf("%-*s   acceleration x y z [m/s2]       angular x y z [rad/s2]\n", width, "box");
   const std::size_t shown = std::min(list.size(), kMostMoving);
   for (std::size_t k = 0; k < shown; ++k) {
     const int body = list[k].second;
@@ -185,7 +185,7 @@ int stability_command(const Request& request, const std::string& rule) {
                 "--rule " + rule + ": " + expected_names(rule, kRules));
   const Start start(resolve_scene(request));
   const std::size_t joints = start.world.joints().size();
-  require::that(joints == 0, "tumble stability knows no joints, and the scene has " +
+  require::that(joints == 0, "tumble stability does not support joints, and the scene has " +
                                  std::to_string(joints) + ": leave out [[joint]]");
   Levels levels(start, rule);
   std::vector<Line> lines;

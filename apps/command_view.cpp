@@ -25,7 +25,7 @@ int view_command(const Request& request, bool open) {
   int code = kDone;
   const bool sampled = is_sampling(folder);
   require::that(sampled || !request.motion,
-                "--motion: " + request.scene + " is no folder of tumble sample");
+                "--motion: " + request.scene + " is not a folder of tumble sample");
   if (!sampled && !std::filesystem::exists(folder / kTrajectoryFile, none))
     code = run_into(request, folder);
   if (stop_signal() != 0 || code == kBadInput) return code;

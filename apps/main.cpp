@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
   bool page_only = false;
   add_run_options(*view, request);
   add_recording_options(*view, request);
-  view->add_flag("--no-browser", page_only, "write the page and do not open it");
+  view->add_flag("--no-browser", page_only, "only write the page, do not open it");
   add_motion_option(*view, request.motion);
   view->footer(kSceneHelp);
 
@@ -75,17 +75,17 @@ int main(int argc, char** argv) {
 
   SampleRequest sampling;
   CLI::App* sample = app.add_subcommand(
-      "sample", "find motions of a scene that meet its wishes, by noise in its impacts");
+      "sample", "find motions of a scene that meet its wishes, with noise in its impacts");
   add_run_options(*sample, request);
   add_sample_options(*sample, request, sampling);
   sample->footer(kSampleHelp);
 
   std::string first;
   std::string second;
-  CLI::App* diff =
-      app.add_subcommand("diff", "name the first frame and body at which two recorded runs part");
+  CLI::App* diff = app.add_subcommand(
+      "diff", "report the first frame and body in which two recorded runs differ");
   diff->add_option("first", first, "folder of a recorded run")->required();
-  diff->add_option("second", second, "folder of another one")->required();
+  diff->add_option("second", second, "folder of another recorded run")->required();
 
   RenderRequest picture;
   CLI::App* render = app.add_subcommand(

@@ -81,12 +81,12 @@ void add_recording_options(CLI::App& run, Request& request) {
       ->check(whole(std::numeric_limits<int>::max()))
       ->capture_default_str();
   run.add_option("--every", request.run.every,
-                 "steps from one recorded frame, and one row of a table, to the next")
+                 "record every Nth step, in the trajectory and in the tables")
       ->check(whole(std::numeric_limits<int>::max()))
       ->capture_default_str();
-  run.add_flag("--contacts", request.contacts, "write contacts.csv as well");
+  run.add_flag("--contacts", request.contacts, "also write contacts.csv");
   run.add_option("--filter", request.filter,
-                 "write trajectory_filtered.csv as well, through a filter, for example box:5 "
+                 "also write trajectory_filtered.csv, with a filter, for example box:5 "
                  "(list: tumble filters)");
 }
 
@@ -111,9 +111,9 @@ void add_run_options(CLI::App& command, Request& request) {
       .add_option("--set", request.settings,
                   "change a setting: key=value, scene.key=value or technique.key=value; repeatable")
       ->allow_extra_args(false);
-  command.add_option("--out", request.out, "output folder; default: one in runs/ that is new")
+  command.add_option("--out", request.out, "output folder; default: a new one in runs/")
       ->check(not_empty());
-  command.add_flag("--force", request.force, "replace what an earlier run has left in the folder");
+  command.add_flag("--force", request.force, "replace an earlier run in the folder");
   command.add_flag("--quiet", request.quiet, "no progress line and no summary");
 }
 
@@ -128,20 +128,19 @@ void add_sample_options(CLI::App& command, Request& request, SampleRequest& samp
   const auto add_number = [&](const char* name, double& value, const char* help) {
     command.add_option(name, value, help)->check(number())->capture_default_str();
   };
-  add_count("--samples", sample.samples, "motions wanted that meet all wishes");
+  add_count("--samples", sample.samples, "number of motions to find that meet all wishes");
   add_count("--chains", sample.chains,
-            "Markov chains, each of which finds its share; 0: four, or fewer for fewer motions");
-  add_count("--cores", sample.cores, "cores that work; 0: all. They change no bit of the result");
-  add_count("--proposals", sample.proposals, "motions that a chain tries at most");
+            "number of Markov chains that share the search; 0: four, or fewer for fewer motions");
+  add_count("--cores", sample.cores, "cores to use; 0: all. The result does not depend on it");
+  add_count("--proposals", sample.proposals, "largest number of motions that a chain tries");
   add_number("--strictness", sample.strictness,
-             "s of exp(-s V), with V the sum of what wishes are missed by");
+             "s in exp(-s V), where V is the violation of all wishes");
   add_number("--noise-speed", sample.noise.speed,
-             "slowest impact with noise, as a share of sqrt(g L), L the shortest edge");
+             "slowest impact with noise, as a fraction of sqrt(g L), L the shortest edge");
   add_number("--noise-normal", sample.noise.normal,
-             "standard deviation of the angle by which an impulse is turned [rad]");
-  add_number("--noise-restitution", sample.noise.restitution,
-             "half the range in which restitution varies");
-  command.add_flag("--resume", sample.resume, "go on with the chains in the folder");
+             "standard deviation of the rotation of an impulse [rad]");
+  add_number("--noise-restitution", sample.noise.restitution, "half the range of restitution");
+  command.add_flag("--resume", sample.resume, "continue the chains in the folder");
 }
 
 void add_render_options(CLI::App& command, RenderRequest& request) {
@@ -150,7 +149,7 @@ void add_render_options(CLI::App& command, RenderRequest& request) {
       .add_option(
           "--as", request.form,
           "format: svg or png for a picture, gif or mp4 for a film, gltf for an animated scene, "
-          "html for a page to turn it in a browser")
+          "html for a page with a 3D view")
       ->required();
   command.add_option("--at", request.at, "picture: time of the frame [s]; default: the last one")
       ->expected(1)

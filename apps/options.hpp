@@ -74,9 +74,9 @@ inline constexpr const char* kSampleHelp =
     "Examples:\n"
     "  tumble sample examples/scenes/bowling.toml --duration 3\n"
     "  tumble sample bowling.toml --samples 20 --chains 8 --out found\n"
-    "  tumble sample bowling.toml --samples 40 --chains 8 --out found --resume   goes on\n"
+    "  tumble sample bowling.toml --samples 40 --chains 8 --out found --resume   continues\n"
     "  tumble view found --motion 2\n"
-    "What is wished stands in tables [[wish]] of the scene file, with kind and body:\n"
+    "Wishes are tables [[wish]] in the scene file, with a body and one of these kinds:\n"
     "  face_up, ends_in, topples, stands, moves, stays\n"
     "All keys: site/how_to_read.md of the sources (in the book: How to read, Wishes).\n";
 

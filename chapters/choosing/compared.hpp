@@ -54,15 +54,17 @@ class After : public RunObserver {
 // Runs a scene under a technique.
 // dt: [s] the step
 // duration: [s] simulated time
+// stop: called before every step; true ends the run as interrupted
 inline RunResult run_compared(const Scene& scene, const PlayedTechnique& played, double dt,
                               double duration,
-                              const std::function<void(const World&, const Metrics&)>& after = {}) {
+                              const std::function<void(const World&, const Metrics&)>& after = {},
+                              const std::function<bool()>& stop = {}) {
   RunSettings settings;
   settings.dt = dt;
   settings.duration = duration;
   After observer(after);
   const std::array<RunObserver*, 1> observers = {&observer};
-  return run_scene(scene, *make_technique(played.name, played.settings), settings, observers);
+  return run_scene(scene, *make_technique(played.name, played.settings), settings, observers, stop);
 }
 
 // A cell that holds no number.

@@ -18,11 +18,12 @@ struct PileRun {
 // duration: [s] at least half a second
 PileRun pile_run(const Scene& scene, const PlayedTechnique& played, double duration);
 
-// At which slope a box tips over its lower edge, by bisection.
-//
-// A box twice as high as wide should tip from \f$\arctan \tfrac12\f$ on. Its coefficient of friction is 2, so
-// that it does not slide.
-// Returns [deg] the middle of the last interval; 0 if it tips at 2 degrees, infinity if it does not at 60
-double tipping_angle(const PlayedTechnique& played, int halves);
+// [deg] From this slope on a box twice as high as wide tips over its lower edge: arctan 1/2.
+inline const double kTippingSlope = std::atan(0.5) * 180.0 / std::numbers::pi;
+
+// Whether such a box tips on a slope that is steeper by so much, and not on one that is less steep by as much. Its
+// coefficient of friction is 2, so that it does not slide.
+// within: [deg]
+bool tips_at_limit(const PlayedTechnique& played, double within);
 
 }  // namespace tumble::chapters

@@ -17,7 +17,7 @@ constexpr double kSooner = 0.9;
 // What one seed gives with one kind of step.
 struct SteppedSeed {
   RestingMeasures resting;
-  std::vector<int> substeps;  // by step
+  std::vector<int> substeps;  // by frame, of adaptive steps
   StepReport work;
 };
 using Seeds = std::vector<SteppedSeed>;
@@ -27,12 +27,19 @@ struct Sides {
   Seeds fixed, adaptive;
 };
 
-SteppedSeed settle_seed(const Parameters& settings, int seed, const AdaptiveStepOptions& options) {
+// Adds what a seed gives with fixed steps and with adaptive ones.
+void settle_seed(const Parameters& settings, int seed, Sides& sides) {
   const auto chance = static_cast<std::uint64_t>(seed);
-  SteppedRun run = settle_in_steps(clump_scene(settings.count("per_edge"), chance),
-                                   make_technique("damped", {}, chance), options,
-                                   settings.number("settling"), settings.number("watched"));
-  return {measure_resting(run.run), run.substeps, run.work};
+  const int per_edge = settings.count("per_edge");
+  const double settling = settings.number("settling"), watched = settings.number("watched");
+  const SettledRun fixed = damped_clump(per_edge, chance, settling, watched);
+  sides.fixed.push_back({measure_resting(fixed), {}, fixed.work()});
+  AdaptiveStepOptions options;
+  options.halvings = settings.count("halvings");
+  const SteppedRun run =
+      settle_in_steps(clump_scene(per_edge, chance), make_technique("damped", {}, chance), options,
+                      settling, watched);
+  sides.adaptive.push_back({measure_resting(run.run), run.substeps, run.run.work()});
 }
 
 template <class Number>
@@ -57,11 +64,11 @@ Table time_table(const Sides& sides) {
                {"fixed", "-", "share of the bodies that still move, fixed steps"},
                {"adaptive", "-", "ditto, adaptive steps"},
                {"substeps", "-", "sub-steps of the adaptive step, mean over the seeds"}}};
-  for (std::size_t step = 0; step < sides.adaptive[0].substeps.size(); ++step) {
-    const double time = static_cast<double>(step + 1) * kStep;
+  for (std::size_t frame = 1; frame < sides.adaptive[0].substeps.size(); ++frame) {
+    const double time = static_cast<double>(frame) * kStep;
     double substeps = 0.0;
     for (const SteppedSeed& seed : sides.adaptive)
-      substeps += seed.substeps[step] / static_cast<double>(sides.adaptive.size());
+      substeps += seed.substeps[frame] / static_cast<double>(sides.adaptive.size());
     table.add(time, mean_share_moving(sides.fixed, time), mean_share_moving(sides.adaptive, time),
               substeps);
   }
@@ -99,12 +106,7 @@ double sayings(double of_chatter, double of_time) {
 
 Result measure_adaptive_claim(const Parameters& settings) {
   Sides sides;
-  AdaptiveStepOptions adaptive;
-  adaptive.halvings = settings.count("halvings");
-  for (int seed = 1; seed <= settings.count("seeds"); ++seed) {
-    sides.fixed.push_back(settle_seed(settings, seed, fixed_steps(0)));
-    sides.adaptive.push_back(settle_seed(settings, seed, adaptive));
-  }
+  for (int seed = 1; seed <= settings.count("seeds"); ++seed) settle_seed(settings, seed, sides);
   const Quantity of_chatter =
       adaptive_over_fixed("median amplitude of resting bodies", sides,
                           [](const SteppedSeed& seed) { return seed.resting.chatter(); });

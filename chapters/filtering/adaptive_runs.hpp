@@ -4,7 +4,6 @@
 #pragma once
 
 #include "tumble/contact/tolerances.hpp"
-#include "tumble/dynamics/step_report.hpp"
 #include "tumble/filtering/adaptive_step.hpp"
 #include "tumble/record/chatter.hpp"
 
@@ -26,8 +25,7 @@ inline Parameters adaptive_parameters(int seeds, int per_edge, int halvings) {
 // A run at 60 frames a second whose steps were divided, and what it took.
 struct SteppedRun {
   SettledRun run;             // in contact in a frame: in any sub-step since the frame before
-  StepReport work;            // all steps added up
-  std::vector<int> substeps;  // by step, one fewer than there are frames
+  std::vector<int> substeps;  // by frame; none at the start
 };
 
 // Lets a scene play with divided steps, and records its frames.
@@ -40,17 +38,16 @@ inline SteppedRun settle_in_steps(const Scene& scene, std::unique_ptr<Technique>
   const AdaptiveStep& steps = *divided;
   PlayedScene played(scene, std::move(divided));
   SteppedRun out;
-  out.run = record_run(
-      played, settling, watched,
+  record_until(
+      settling + watched, played,
       [&](const World& world, std::vector<char>& touches) {
         touches.assign(static_cast<std::size_t>(world.count()), 0);
         for (const BodyId id : steps.touched())
           touches[static_cast<std::size_t>(world.index_of(id))] = 1;
-      },
-      [&](const StepReport& report) {
-        add_report(report, out.work);
         out.substeps.push_back(static_cast<int>(steps.substeps().size()));
-      });
+      },
+      out.run);
+  out.run.first = static_cast<int>(std::lround(settling / kStep));
   return out;
 }
 

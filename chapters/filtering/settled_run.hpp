@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/contact/tolerances.hpp"
+#include "tumble/dynamics/step_report.hpp"
 #include "tumble/dynamics/trajectory.hpp"
 #include "tumble/filtering/chatter_detector.hpp"
 #include "tumble/filtering/corner_motion.hpp"
@@ -17,31 +18,44 @@ struct SettledRun {
   World world;                             // in the end
   Trajectory frames;                       // all of them
   std::vector<std::vector<char>> touches;  // by frame and index: whether the body is in contact
+  std::vector<StepReport> reports;         // by step, one fewer than there are frames
   int first = 0;                           // the first frame in which bodies should rest
+
+  // All steps added up.
+  [[nodiscard]] StepReport work() const {
+    StepReport sum;
+    for (const StepReport& report : reports) add_report(report, sum);
+    return sum;
+  }
 };
 
 // Marks the bodies in contact, by index.
 using MarkTouches = std::function<void(const World& world, std::vector<char>& touches)>;
 
-// Plays a scene on and records it.
-// settling: [s] before bodies should rest
-// watched: [s] after that
-inline SettledRun record_run(PlayedScene& played, double settling, double watched,
-                             const MarkTouches& touches,
-                             const std::function<void(const StepReport&)>& after = {}) {
-  SettledRun run;
+// Plays a scene on and records it; one that has been recorded so far goes on.
+// time: [s] the end
+inline void record_until(double time, PlayedScene& played, const MarkTouches& touches,
+                         SettledRun& run) {
   const auto record = [&] {
     run.frames.record(played.world());
     touches(played.world(), run.touches.emplace_back());
   };
-  record();
-  played.advance(settling + watched, [&](const StepReport& report) {
+  if (run.touches.empty()) record();
+  played.advance(time, [&](const StepReport& report) {
     record();
-    if (after) after(report);
+    run.reports.push_back(report);
   });
-  run.first = static_cast<int>(std::lround(settling / kStep));
   run.world = played.world();
-  return run;
+}
+
+// Records what touches by the contacts of the last step.
+inline void record_contacts_until(double time, PlayedScene& played, SettledRun& run) {
+  record_until(
+      time, played,
+      [&](const World& world, std::vector<char>& touches) {
+        mark_contacts(world, played.technique().contacts(), touches);
+      },
+      run);
 }
 
 // Plays a scene of 60 steps a second and records it.
@@ -50,9 +64,10 @@ inline SettledRun record_run(PlayedScene& played, double settling, double watche
 inline SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played, double settling,
                                double watched, std::uint64_t seed = 1) {
   PlayedScene now(scene, played, seed);
-  return record_run(now, settling, watched, [&](const World& world, std::vector<char>& touches) {
-    mark_contacts(world, now.technique().contacts(), touches);
-  });
+  SettledRun run;
+  record_contacts_until(settling + watched, now, run);
+  run.first = static_cast<int>(std::lround(settling / kStep));
+  return run;
 }
 
 // The cubes of figure 6.7 at their start.
@@ -62,21 +77,28 @@ inline Scene clump_scene(int per_edge, std::uint64_t seed = 1) {
 
 // The first frames of a run.
 inline SettledRun first_part(const SettledRun& run, int frames) {
-  SettledRun part{run.world, {}, run.touches, run.first};
+  SettledRun part{run.world, {}, run.touches, run.reports, run.first};
   for (int k = 0; k < frames; ++k) part.frames.record(run.frames.frame(k));
   part.touches.resize(idx(frames));
+  part.reports.resize(idx(frames - 1));
   return part;
 }
 
 // The clump under `damped`. Several figures ask for the same run, or for its beginning, so what the program has
-// run once it keeps. Steps are the same wherever a run ends.
+// run once it keeps, and goes on from there.
 inline SettledRun damped_clump(int per_edge, std::uint64_t seed, double settling, double watched) {
-  static std::map<std::pair<int, std::uint64_t>, SettledRun> runs;
-  const int frames = 1 + static_cast<int>(std::lround((settling + watched) / kStep));
-  SettledRun& run = runs[{per_edge, seed}];
-  if (run.frames.count() < frames)
-    run = settle_scene(clump_scene(per_edge, seed), {"damped", {}}, settling, watched, seed);
-  SettledRun part = first_part(run, frames);
+  struct Kept {
+    std::unique_ptr<PlayedScene> played;
+    SettledRun run;
+  };
+  static std::map<std::pair<int, std::uint64_t>, Kept> kept;
+  Kept& clump = kept[{per_edge, seed}];
+  if (!clump.played)
+    clump.played =
+        std::make_unique<PlayedScene>(clump_scene(per_edge, seed), PlayedTechnique{"damped"}, seed);
+  record_contacts_until(settling + watched, *clump.played, clump.run);
+  SettledRun part =
+      first_part(clump.run, 1 + static_cast<int>(std::lround((settling + watched) / kStep)));
   part.first = static_cast<int>(std::lround(settling / kStep));
   return part;
 }

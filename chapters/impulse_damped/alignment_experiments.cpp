@@ -7,6 +7,8 @@
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/settled_boxes.hpp"
 
+#include <tuple>
+
 namespace tumble::chapters {
 namespace {
 
@@ -37,6 +39,18 @@ struct Tried {
 };
 
 bool chatters(const BoxEnd& end) { return end.chatters(); }
+
+// How the boxes of a heap end. Both figures ask for the same heaps, so what the program has settled once it keeps.
+const std::vector<BoxEnd>& settled_heap(int per_edge, int seed, const std::string& parts,
+                                        const DampedScales& scales, double duration) {
+  static std::map<std::tuple<int, int, std::string, double, double, double>, std::vector<BoxEnd>>
+      heaps;
+  const auto [heap, fresh] =
+      heaps.try_emplace({per_edge, seed, parts, scales.eps, scales.k, duration});
+  if (fresh)
+    heap->second = settle(clump(per_edge, seed), damped_options(parts, scales, seed), duration);
+  return heap->second;
+}
 
 // What is tried against chatter: parts of the damping, and which numbers of it are asked for.
 struct PartSet {
@@ -97,8 +111,7 @@ Result measure_ablation(const Parameters& settings) {
                            int after = 0) {
     Tried tried;
     for (int seed = after + 1; seed <= after + seeds; ++seed)
-      tried.ends.push_back(
-          settle(clump(per_edge, seed), damped_options(set.parts, scales, seed), duration));
+      tried.ends.push_back(settled_heap(per_edge, seed, set.parts, scales, duration));
     return tried;
   };
   const int per_edge = settings.count("per_edge");
@@ -188,9 +201,9 @@ Result measure_leaning(const Parameters& settings) {
   const auto attempt = [&](const std::string& parts, const DampedScales& scales, int after = 0) {
     Tried tried;
     for (int seed = after + 1; seed <= after + seeds; ++seed) {
-      const DampedOptions options = damped_options(parts, scales, seed);
-      tried.ends.push_back(settle(clump(settings.count("per_edge"), seed), options, duration));
-      const std::vector<BoxEnd> planks = settle(propped_planks(seed), options, duration);
+      tried.ends.push_back(settled_heap(settings.count("per_edge"), seed, parts, scales, duration));
+      const std::vector<BoxEnd> planks =
+          settle(propped_planks(seed), damped_options(parts, scales, seed), duration);
       tried.ends.back().insert(tried.ends.back().end(), planks.begin(), planks.end());
     }
     return tried;

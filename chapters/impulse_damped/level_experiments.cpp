@@ -56,47 +56,40 @@ std::vector<std::string> rule_of(const char* rule) {
   return {std::string("level_restitution=") + rule};
 }
 
-// A stack and a pyramid: what the default does with each, and what the rising restitution does.
-void add_piles(const Parameters& settings, Result& result) {
-  struct Pile {
-    const char* name;
-    Scene scene;
-  };
-  const std::vector<Pile> piles = {
-      {"stack of ten", scene_with("stack", {"count=10"})},
-      {"pyramid of fifteen rows", pyramid_of(settings.count("piles"))}};
+// The highest pyramid over time, and what its first step does, by rule.
+void add_pyramid(const std::array<Moved, 3>& by_rule, Result& result) {
+  const Moved& constant = by_rule[0];
+  const Moved& rising = by_rule[2];
+  result.add("drift of the highest pyramid, constant", "mm", constant.drift);
+  result.add("energy added to it, constant", "J", constant.added);
+  result.add("drift of the highest pyramid, shock", "mm", by_rule[1].drift);
+  result.add("drift of the highest pyramid, rising", "mm", rising.drift);
   Table table{"piles",
               {{"time_s", "s", "since the start"},
-               {"pyramid_mm", "mm", "farthest drift in a pyramid of fifteen rows, constant"},
+               {"pyramid_mm", "mm", "farthest drift in the highest pyramid, constant"},
                {"pyramid_rising_mm", "mm", "the same, rising"}}};
-  std::vector<Moved> runs;
-  for (const Pile& pile : piles) {
-    for (const char* rule : {"constant", "rising"}) {
-      runs.push_back(moved_of(pile.scene, rule_of(rule), settings.number("piles_duration")));
-      result.add("drift of the " + std::string(pile.name) + ", " + rule, "mm", runs.back().drift);
-    }
-  }
-  for (std::size_t k = 0; k < runs[2].drifts.size(); ++k)
-    table.add(0.1 * static_cast<double>(k + 1), runs[2].drifts[k], runs[3].drifts[k]);
+  for (std::size_t k = 0; k < constant.drifts.size(); ++k)
+    table.add(0.1 * static_cast<double>(k + 1), constant.drifts[k], rising.drifts[k]);
   Table spins{"spins",
               {{"row", "-", "of the pyramid, from the ground up"},
                {"constant", "rad/s", "largest spin that the first step leaves, constant"},
                {"rising", "rad/s", "the same, rising"}}};
-  for (std::size_t row = 0; row < runs[2].spins.size(); ++row)
-    spins.add(row + 1, runs[2].spins[row], runs[3].spins[row]);
-  const auto most = [](const std::vector<double>& values) {
-    return *std::max_element(values.begin(), values.end());
+  for (std::size_t row = 0; row < constant.spins.size(); ++row)
+    spins.add(row + 1, constant.spins[row], rising.spins[row]);
+  const auto most = [](const Moved& moved) {
+    return *std::max_element(moved.spins.begin(), moved.spins.end());
   };
   result.add("largest spin that the first step leaves in the pyramid, constant", "rad/s",
-             most(runs[2].spins));
+             most(constant));
   result.add("largest spin that the first step leaves in the pyramid, rising", "rad/s",
-             most(runs[3].spins));
+             most(rising));
   result.tables.push_back(table);
   result.tables.push_back(spins);
 }
 
 Result measure_levels(const Parameters& settings) {
   const int most = settings.count("rows");
+  const double duration = settings.number("duration");
   Table table{"",
               {{"rows", "-", "of the pyramid"},
                {"constant_mm", "mm", "drift, restitution of the sweeps constant, as printed"},
@@ -104,20 +97,17 @@ Result measure_levels(const Parameters& settings) {
                {"rising_mm", "mm", "drift, rising in all sweeps"}}};
   Result result;
   for (int rows = 4; rows <= most; rows += 3) {
-    std::array<double, 3> drift{};
+    std::array<Moved, 3> by_rule;
     std::size_t k = 0;
-    for (const char* rule : {"constant", "shock", "rising"}) {
-      const Moved moved = moved_of(pyramid_of(rows), rule_of(rule), settings.number("duration"));
-      drift[k++] = moved.drift;
-      if (rows + 3 <= most) continue;
-      result.add(std::string("drift of the highest pyramid, ") + rule, "mm", moved.drift);
-      if (rule == std::string_view("constant"))
-        result.add("energy added to it, constant", "J", moved.added);
-    }
-    table.add(rows, drift[0], drift[1], drift[2]);
+    for (const char* rule : {"constant", "shock", "rising"})
+      by_rule[k++] = moved_of(pyramid_of(rows), rule_of(rule), duration);
+    table.add(rows, by_rule[0].drift, by_rule[1].drift, by_rule[2].drift);
+    if (rows + 3 > most) add_pyramid(by_rule, result);
   }
-  result.tables = {table};
-  add_piles(settings, result);
+  result.tables.push_back(table);
+  for (const char* rule : {"constant", "rising"})
+    result.add(std::string("drift of the stack of ten, ") + rule, "mm",
+               moved_of(scene_with("stack", {"count=10"}), rule_of(rule), duration).drift);
   return result;
 }
 
@@ -126,10 +116,8 @@ const Registered impulse_levels_figure{
      .parameters =
          Parameters{}
              .add_whole("rows", 10, 4, 30, "of the highest pyramid; 4, 7, 10 and so on are run")
-             .add_number("duration", 1.0, 0.1, 100.0, "s", "of each run")
-             .add_whole("piles", 15, 2, 30, "rows of the pyramid that is drawn over time")
-             .add_number("piles_duration", 1.0, 0.1, 100.0, "s", "of its run"),
-     .quick = {"rows=7", "duration=0.3", "piles=5", "piles_duration=0.1"},
+             .add_number("duration", 1.0, 0.1, 100.0, "s", "of each run"),
+     .quick = {"rows=7", "duration=0.3"},
      .experiment = measure_levels}};
 
 }  // namespace

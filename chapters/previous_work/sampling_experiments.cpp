@@ -185,13 +185,13 @@ Result measure_sampling(const Parameters& settings) {
 }
 
 const Registered sampling_figure{
-    {.name = "sampled_motions",
+    {.name = "chain_motions",
      .parameters = Parameters{}
                        .add_whole("seed", 1, 0, 1000000, "of the chains")
                        .add_whole("motions", 3, 1, 3, "rows of the picture")
                        .add_number("strictness", 10.0, 0.01, 1000.0, "-", "of the wishes")
                        .add_whole("proposals", 2000, 1, 100000, "of a chain, at most")
-                       .add_whole("drawn", 400, 1, 100000, "motions without a chain")
+                       .add_whole("drawn", 200, 1, 100000, "motions without a chain")
                        .add_number("die_strictness", 30.0, 0.01, 1000.0, "-", "of its wishes")
                        .add_whole("chains", 8, 1, 1000, "of the die")
                        .add_whole("die_drawn", 2000, 1, 1000000, "motions without a chain"),

@@ -4,6 +4,8 @@
 
 #include "driver/experiment.hpp"
 
+#include <tuple>
+
 namespace tumble::chapters {
 
 // [frames] Length of full timewarp's flights where no synchronisation ends them. Reason: about the
@@ -91,14 +93,20 @@ inline CageWork run(Technique& technique, World& world, double dt, int frames) {
   return work;
 }
 
-// Builds a cage and leads it, by the timewarp with swept volumes.
-inline World led_cage(const CageStretch& stretch, int seed) {
-  World world =
-      build_world(scene_with("cage",
-                             {"count=" + std::to_string(stretch.count),
-                              setting("speed", stretch.speed), setting("spin", stretch.spin)},
-                             static_cast<std::uint64_t>(seed)));
-  run(*make_technique("timewarp_swept"), world, stretch.dt, stretch.lead);
+// A cage after its lead, by the timewarp with swept volumes. Figures ask for the same cages, so what the program has
+// led once it keeps.
+inline const World& led_cage(const CageStretch& stretch, int seed) {
+  static std::map<std::tuple<int, double, double, int, double, int>, World> cages;
+  const auto [cage, fresh] = cages.try_emplace(
+      {stretch.count, stretch.speed, stretch.spin, stretch.lead, stretch.dt, seed});
+  World& world = cage->second;
+  if (fresh) {
+    world = build_world(scene_with("cage",
+                                   {"count=" + std::to_string(stretch.count),
+                                    setting("speed", stretch.speed), setting("spin", stretch.spin)},
+                                   static_cast<std::uint64_t>(seed)));
+    run(*make_technique("timewarp_swept"), world, stretch.dt, stretch.lead);
+  }
   return world;
 }
 

@@ -104,7 +104,7 @@ Result measure_rewinding(const Parameters& settings) {
     const CageStretch stretch = counted_stretch(settings, edge * edge * edge);
     works = {};
     for (int seed = 1; seed <= seeds; ++seed) {
-      const World led = led_cage(stretch, seed);
+      const World& led = led_cage(stretch, seed);
       add_works(led, stretch, forms().size(), works);
       for (std::size_t i = 0; i < kFactors.size(); ++i)
         if (stretch.count == kMost && i != kAsItIs)

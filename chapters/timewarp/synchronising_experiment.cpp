@@ -61,7 +61,7 @@ std::vector<Costs> measure(const Parameters& settings, int count,
   for (const double factor : factors)
     costs.emplace_back().stretch = counted_flights(settings, count, factor);
   for (int seed = 1; seed <= settings.count("seeds"); ++seed) {
-    const World led = led_cage(costs.front().stretch, seed);
+    const World& led = led_cage(costs.front().stretch, seed);
     for (Costs& each : costs) add_costs(led, &each == &costs.front(), each);
   }
   return costs;

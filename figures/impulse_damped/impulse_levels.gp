@@ -20,7 +20,7 @@ set key at screen 0.56,0.63 center top vertical maxcols 2
 set tmargin at screen 0.58; set bmargin at screen 0.385
 set xlabel 'time [s]' offset 0,0.3
 set xrange [0:*]; set xtics 0.2
-set yrange [0.1:1000]
+set yrange [0.1:100]
 side = 'farthest drift [mm]'; @SIDE
 plot piles using 'time_s':'pyramid_mm' with lines lt 1 title 'constant, as printed', \
   '' using 'time_s':'pyramid_rising_mm' with lines lt 3 title 'rising in all sweeps'
@@ -28,9 +28,9 @@ plot piles using 'time_s':'pyramid_mm' with lines lt 1 title 'constant, as print
 set key at screen 0.56,0.315 center top vertical maxcols 2
 set tmargin at screen 0.27; set bmargin at screen 0.08
 set xlabel 'row of the pyramid, from the ground up' offset 0,0.3
-set xrange [0.5:15.5]; set xtics 5
-set yrange [1e-4:1e-1]
+set xrange [0.5:10.5]; set xtics 1
+set yrange [1e-5:1e-1]
 side = 'spin after one step [rad/s]'; @SIDE
 spins = stem.'_spins.csv'
-plot spins using 'row':(column('constant') > 1e-4 ? column('constant') : NaN) with linespoints lt 1 title 'constant', \
-  '' using 'row':(column('rising') > 1e-4 ? column('rising') : NaN) with linespoints lt 3 title 'rising'
+plot spins using 'row':(column('constant') > 1e-5 ? column('constant') : NaN) with linespoints lt 1 title 'constant', \
+  '' using 'row':(column('rising') > 1e-5 ? column('rising') : NaN) with linespoints lt 3 title 'rising'

@@ -91,11 +91,11 @@ Errata repaired_in(const Reading& o, const char* traps) {
 template <class Visitor>
 void describe_repaired(Reading& o, Visitor& v, std::string_view errata, std::string_view traps) {
   v.text("repaired", o.repaired,
-         "reading=as_printed: errata that are mended all the same, as " + std::string(errata) +
+         "reading=as_printed: errata that are corrected, for example " + std::string(errata) +
              "; or all, or none");
   v.word("traps", o.traps, {{"avoided", false}, {"taken", true}},
-         "reading=as_printed: what the text leaves open (" + std::string(traps) +
-             ") in its milder reading, or in the one that fails");
+         "reading=as_printed: where the text is open (" + std::string(traps) +
+             "), the less harmful reading, or the one that fails");
 }
 
 template <class Visitor>
@@ -103,7 +103,7 @@ void describe(Reading& o, Visitor& v, std::string_view appendix, std::string_vie
               std::string_view traps) {
   v.word("reading", o.as, {{"as_meant", ReadAs::meant}, {"as_printed", ReadAs::printed}},
          "the listings of appendix " + std::string(appendix) +
-             " with their misprints mended, or as they are printed");
+             " with their misprints corrected, or as printed");
   describe_repaired(o, v, errata, traps);
 }
 
@@ -121,12 +121,13 @@ struct DampedSettings {
 template <class Visitor>
 void describe(DampedSettings& o, Visitor& v) {
   describe(o.meant, v);
-  v.word("reading", o.reading.as,
-         {{"as_meant", ReadAs::meant},
-          {"as_reported", ReadAs::reported},
-          {"as_printed", ReadAs::printed}},
-         "the listings of appendix A.2 with their misprints mended; the same with the damping that "
-         "gives the outcome of thesis 6.1; or as they are printed");
+  v.word(
+      "reading", o.reading.as,
+      {{"as_meant", ReadAs::meant},
+       {"as_reported", ReadAs::reported},
+       {"as_printed", ReadAs::printed}},
+      "the listings of appendix A.2 with their misprints corrected; the same with the damping that "
+      "gives the results of thesis 6.1; or as printed");
   describe_repaired(o.reading, v, "C1,DM3", kDampedTraps);
 }
 
@@ -209,80 +210,83 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<Freezable<ContactDampedOptions>>,
        make_freezable<ContactDamped, ContactDampedOptions>},
       {"basic", "2.1",
-       "advance, find an overlap, search back for the impact, resolve, go on; fast bodies may pass "
-       "through thin ones, edges of flush neighbours catch what slides over them, slopes creep",
+       "advance, find an overlap, search back for the impact, resolve, continue; fast bodies may "
+       "pass through thin ones, sliding bodies catch on edges of flush neighbours, boxes creep "
+       "down slopes",
        declared_options<BasicOptions>, make<Basic, BasicOptions>},
       {"analytic", "3.3.1, 4.3, 5.3",
-       "collisions in the order of their times, exact contact forces in between; friction holds up "
-       "to 8 % less between its eight directions, fast corners hit one by one and may throw a body "
-       "aside, what stands on a turning body drifts outwards",
+       "collisions in the order of their times, exact contact forces in between; friction is up to "
+       "8 % weaker between its eight directions, fast corners hit one by one and may throw a body "
+       "aside, boxes on a rotating body drift outwards",
        declared_options<AnalyticOptions>, make<Analytic, AnalyticOptions>},
       {"time_stepping", "2.6.3",
-       "impacts and contacts of a step solved together at its start, so that bounces come up to a "
-       "step early, and elastic bodies that meet one after another in a step lose energy; small "
-       "bodies that fly several of their lengths in a step may pass each other; friction in eight "
-       "directions, up to 8 % too weak between them; what stands on a turning body drifts unless "
+       "impacts and contacts of a step solved together at its start; bounces come up to a step "
+       "early, elastic bodies that collide one after another in a step lose energy, small bodies "
+       "that fly several of their lengths in a step may pass through each other, friction is up to "
+       "8 % weaker between its eight directions, boxes on a rotating body drift unless "
        "pose=exponential",
        declared_options<TimeSteppingOptions>, make<TimeStepping, TimeSteppingOptions>},
       {"impulse", "2.5.2",
-       "collisions, gravity, contacts and shock propagation by impulses, a bounce up to a step "
-       "early; elastic bounces die out, fast bodies may pass through thin ones, edges of flush "
-       "neighbours may catch, what stands on a moving body may sink or drift, stacks on slopes "
-       "creep, those without friction slide apart, what a heavy body pushes may sink in",
+       "collisions, gravity, contacts and shock propagation by impulses; bounces come up to a step "
+       "early, elastic bounces die out, fast bodies may pass through thin ones, sliding bodies may "
+       "catch on edges of flush neighbours, boxes on a moving body may sink or drift, stacks on "
+       "slopes creep, stacks without friction slide apart, bodies pushed by heavy ones may sink in",
        declared_options<Freezable<ImpulseOptions>>, make_freezable<Impulse, ImpulseOptions>},
       {"damped", "5.2, 5.3, 5.4, A.2",
        "impulses, damping in place of friction, pushes out of overlap; elastic bounces die out, "
-       "fast bodies may pass through thin ones, an elastic impact of faces may leave a spin, what "
-       "stands on a moving body may drift, what rests may do so up to the fall of a step above "
-       "what carries it, and light boxes give way to heavy loads",
+       "fast bodies may pass through thin ones, an elastic impact of faces may leave a spin, boxes "
+       "on a moving body may drift, boxes may rest above their support by up to the fall of a "
+       "step, light boxes give way to heavy loads",
        declared_options<DampedSettings>, make_damped},
       {"timewarp_simple", "5.1, A.1",
-       "collisions in the order of their times; rolls back the two bodies that collide; fast "
-       "bodies may pass through thin ones, edges of flush neighbours catch what slides over them, "
-       "what leans or is carried may slip, slopes creep, elastic bodies on an elastic floor lose "
-       "energy",
+       "collisions in the order of their times, rolling back the two bodies that collide; fast "
+       "bodies may pass through thin ones, sliding bodies catch on edges of flush neighbours, "
+       "leaning or carried boxes may slip, boxes creep down slopes, elastic bodies on an elastic "
+       "floor lose energy",
        declared_options<TimewarpSettings>, make_listing<TimewarpSimple, TimewarpListing::simple>},
       {"timewarp_safer", "5.1, A.1",
-       "as timewarp_simple with its limits, and a search for earlier collisions nearby",
+       "like timewarp_simple, with the same limits, and a search for earlier collisions nearby",
        declared_options<TimewarpSettings>, make_listing<TimewarpSafer, TimewarpListing::safer>},
       {"timewarp_swept", "5.1",
-       "as timewarp_simple, with swept volumes that miss no collision of bodies that turn by less "
-       "than a radian in a step",
+       "like timewarp_simple, with swept volumes, which miss no collision of bodies that rotate by "
+       "less than a radian in a step",
        declared_options<TimewarpSweptOptions>, make<TimewarpSwept, TimewarpSweptOptions>},
       {"timewarp_full", "2.4.3",
-       "a time of its own for every body; a body that flew past a collision is rolled back; flush "
+       "every body has its own time, and a body that flew past a collision is rolled back; flush "
        "edges, slopes, leaning, carried and elastic bodies as in timewarp_simple",
        declared_options<TimewarpFullOptions>, make<TimewarpFull, TimewarpFullOptions>},
       {"glued", "2.6.5, 6.2",
-       "bodies that touch at the start stick for ever, by one of seven integrators; holds joints "
+       "bodies that touch at the start stay joined, with one of seven integrators; supports joints "
        "of scenes, with collisions if contacts=collide",
        declared_options<GluedOptions>, make<Glued, GluedOptions>},
       {"penalty", "2.5.1",
-       "springs and dampers where bodies overlap; heavy loads sink in, what friction should hold "
-       "creeps, stacks without friction slide apart; flush edges and fast bodies as in "
+       "springs and dampers where bodies overlap; heavy loads sink in, boxes creep although "
+       "friction "
+       "should hold them, stacks without friction slide apart; flush edges and fast bodies as in "
        "timewarp_simple",
        declared_options<PenaltyOptions>, make<Penalty, PenaltyOptions>},
       {"faure", "2.6.4",
-       "impulses of all contacts at once by an iteration with a budget; what it leaves undone "
-       "sinks in, and bounces may lose energy or gain some; carried bodies as in time_stepping, "
-       "what leans, flush edges and fast bodies as in timewarp_simple",
+       "impulses of all contacts at once, with a limited number of iterations; bodies sink in if "
+       "these are too few, and bounces may lose or gain energy; carried bodies as in "
+       "time_stepping, leaning bodies, flush edges and fast bodies as in timewarp_simple",
        declared_options<FaureOptions>, make<Faure, FaureOptions>},
       {"relaxation", "2.3",
-       "boxes of particles and rods; no bounce but of fast impacts, spins die out, slopes creep, "
-       "what is carried slips, stacks without friction slide apart, light boxes give way to heavy "
-       "loads",
+       "boxes of particles and rods; only fast impacts bounce, spins die out, boxes creep down "
+       "slopes, carried boxes slip, stacks without friction slide apart, light boxes give way to "
+       "heavy loads",
        declared_options<RelaxationOptions>, make<Relaxation, RelaxationOptions>},
       {"settling", "2.7.1", "lower potential energy step by step; no velocities, no friction",
        declared_options<SettlingOptions>, make<Settling, SettlingOptions>},
       {"optimised", "2.7.2",
-       "nearest poses without overlap, then momenta; steps of any length, in which bounces may "
-       "lose energy; fast bodies go round obstacles, flush edges brake what slides over them, what "
-       "stands on a turning body drifts",
+       "nearest poses without overlap, then momenta; steps of any length; bounces may lose energy, "
+       "fast bodies may go round obstacles, flush edges slow sliding bodies, boxes on a rotating "
+       "body drift",
        declared_options<OptimisedOptions>, make<Optimised, OptimisedOptions>},
       {"microcollisions", "2.5.2",
-       "every contact is a train of collisions at one point (Mirtich); nothing rests, slopes "
-       "creep, what is carried drifts, loose tiles brake and turn what slides over them, an impact "
-       "of faces leaves a spin, and high stacks meet the cap on impacts",
+       "every contact is a series of tiny collisions at one point (Mirtich); nothing comes to "
+       "rest, "
+       "boxes creep down slopes, carried boxes drift, loose tiles slow and rotate sliding bodies, "
+       "an impact of faces leaves a spin, high stacks reach the limit on impacts",
        declared_options<MicrocollisionsOptions>, make<Microcollisions, MicrocollisionsOptions>},
   };
   return library;

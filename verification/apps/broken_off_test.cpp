@@ -72,7 +72,7 @@ TEST_CASE("A disk that fills up during a run ends it with exit code 4 and whole 
   INFO(outcome.text);
   CHECK(outcome.code == 4);
   CHECK(outcome.text.find(folder.text()) != std::string::npos);
-  CHECK(outcome.text.find("hold whole lines up to there") != std::string::npos);
+  CHECK(outcome.text.find("have complete lines up to there") != std::string::npos);
   for (const char* name : kTables) {
     INFO(name);
     CHECK(whole_lines(folder.path / name));

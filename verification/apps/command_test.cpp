@@ -243,7 +243,7 @@ TEST_CASE("Every example scene runs", "[unit][command]") {
     if (!joints) continue;
     const Outcome refused = run_tumble("stability " + entry.path().string());
     CHECK(refused.code == 2);
-    CHECK(refused.text.find("knows no joints, and the scene has 3") != std::string::npos);
+    CHECK(refused.text.find("does not support joints, and the scene has 3") != std::string::npos);
   }
   CHECK(found >= 3);
 }

@@ -96,7 +96,7 @@ TEST_CASE("Two runs are compared bit by bit: the first frame and body that diffe
   REQUIRE(run_tumble("run two_boxes --duration 0.1 --quiet --force --out " + two.text()).code == 0);
   const Outcome shorter = run_tumble(both);
   CHECK(shorter.code == 1);
-  CHECK(has(shorter, "then the first run goes on to 0.2"));
+  CHECK(has(shorter, "then the first run continues to 0.2"));
   REQUIRE(run_tumble("run stack --duration 0.1 --quiet --force --out " + two.text()).code == 0);
   CHECK(has(run_tumble(both), "frame 0 is the start: these are other scenes or settings"));
   check_refused({{"diff " + one.text() + " /nowhere", "cannot be read"}});

@@ -68,7 +68,8 @@ TEST_CASE("A comparison marks what no scene can do, and what refuses the scene",
   const Outcome outcome =
       run_tumble("compare chain --techniques basic,glued --duration 0.1 --out " + joined.text());
   INFO(outcome.text);
-  CHECK(outcome.text.find("basic: tumble: technique basic knows no joints") != std::string::npos);
+  CHECK(outcome.text.find("basic: tumble: technique basic does not support joints") !=
+        std::string::npos);
   CHECK(content(joined.path / "compare.csv").find("\nbasic,refused,") != std::string::npos);
   CHECK(content(joined.path / "compare.csv").find("\nglued,complete,") != std::string::npos);
 }

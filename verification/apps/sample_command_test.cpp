@@ -68,7 +68,7 @@ TEST_CASE("The command finds motions that meet a wish, writes them, and shows th
   CHECK(std::filesystem::exists(folder.path / "out" / "view.html"));
   check_refused({{"render " + out + " --motion 9 --as gif", "motion_9.csv: cannot be read"},
                  {"render " + out + " --filtered --as gif", "are not filtered"},
-                 {"view dice --motion 2 --no-browser", "dice is no folder of tumble sample"}});
+                 {"view dice --motion 2 --no-browser", "dice is not a folder of tumble sample"}});
 }
 
 TEST_CASE("Sampling that was cut off and goes on ends as if it had not been",
@@ -93,7 +93,7 @@ TEST_CASE("Sampling that was cut off and goes on ends as if it had not been",
   CHECK(whole_lines(folder.path / "killed" / "chain_1.csv"));
   CHECK_FALSE(std::filesystem::exists(folder.path / "killed" / "summary.json"));
   check_refused({{"sample " + options + "--out " + out("killed"),
-                  "chains that are not finished: go on with --resume"},
+                  "chains that are not finished: continue with --resume"},
                  {"sample " + options + "--seed 2 --resume --out " + out("killed"),
                   "sampling.txt has \"seed = 1\", and this is \"seed = 2\""}});
   const Outcome on = shell("timeout -s INT 0.3 " + std::string(TUMBLE_COMMAND) + " sample " +
@@ -117,7 +117,7 @@ TEST_CASE("Chains that find too little end at their cap with the nearest motion 
   INFO(capped.text);
   CHECK(capped.code == 3);
   CHECK(capped.text.find("0 of 2 motions were found before chains ended at 5 proposals; the "
-                         "nearest one misses the wishes by 0.99") != std::string::npos);
+                         "closest one has a violation of 0.99") != std::string::npos);
   CHECK(files_in(folder.path / "out").count("motion_1.csv") == 1);
   CHECK(lines_of(folder.path / "out" / "chain_2.csv").size() == 6);
   const Outcome slow = run_tumble(
@@ -148,7 +148,7 @@ TEST_CASE("What tumble sample cannot do is refused, and nothing of others is tou
        {"sample " + scene + " --noise-normal 2" + out, "noise normal = 2"},
        {"sample " + scene + " --noise-speed -1" + out, "noise speed = -1"},
        {"sample " + scene + " --technique nothing" + out, "nothing"},
-       {"sample " + scene + " --resume" + out, "has no chains to go on with"},
+       {"sample " + scene + " --resume" + out, "has no chains to continue"},
        {"sample " + scene + " --resume --force" + out, "give one of them"},
        {"sample " + scene + " --samples many" + out, "expected a whole number"},
        {"sample " + scene + " --out " + (folder.path / "mine").string(),

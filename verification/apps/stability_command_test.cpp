@@ -45,7 +45,7 @@ TEST_CASE("The command reports which boxes are stable, by which level and why", 
   CHECK_THAT(line_of(hull.text, "upper"),
              Contains(" no ") && Contains(" - ") && Contains("the corner at x = 0.8 m, z = "));
   CHECK_THAT(hull.text, Contains("1 of 2 movable boxes are stable by hull") &&
-                            Contains("\nin balance under the weights, without friction"));
+                            Contains("\nin equilibrium under the weights, without friction"));
   const Outcome equilibrium = run_tumble("stability " + file.path);
   INFO(equilibrium.text);
   CHECK(equilibrium.code == 0);
@@ -65,7 +65,7 @@ TEST_CASE("The command prints the boxes that begin to move, and how fast", "[exa
   CHECK(outcome.code == 0);
   CHECK_THAT(line_of(outcome.text, "upper"), Contains("begins to move, see below"));
   CHECK_THAT(outcome.text,
-             Contains("not in balance under the weights, without friction, nor with it") &&
+             Contains("not in equilibrium under the weights, without friction, nor with it") &&
                  Contains("upper     0.0000   -0.5553    0.0000      0.0000    0.0000   -5.5528"));
   // A slope needs friction.
   const Outcome slope = run_tumble("stability slope --set angle=10");
@@ -152,7 +152,7 @@ TEST_CASE("Every built-in scene can be asked for its stability", "[unit][command
     const tumble::SceneRecipe& recipe = tumble::scene_recipe(name);
     const bool joints = !recipe.build(recipe.parameters(), tumble::Random(1)).joints.empty();
     CHECK(outcome.code == (joints ? 2 : 0));
-    CHECK_THAT(outcome.text, Contains(joints ? "tumble stability knows no joints"
+    CHECK_THAT(outcome.text, Contains(joints ? "tumble stability does not support joints"
                                              : "boxes are stable by equilibrium"));
   }
   CHECK(count >= 16);

@@ -96,12 +96,7 @@ TEST_CASE("No scene makes the basic technique hang or lose a body", "[unit][basi
   }
 }
 
-TEST_CASE("The basic technique refuses a step that is none", "[unit][basic_colliding]") {
-  World world = world_of("bouncing_box", {});
-  Basic basic;
-  CHECK_THROWS_WITH(basic.step(world, 0.0), Contains("dt = 0"));
-  CHECK_THROWS_WITH(basic.step(world, -1.0), Contains("dt = -1"));
-  CHECK_THROWS_WITH(basic.step(world, std::nan("")), Contains("dt = nan"));
+TEST_CASE("Bad options of the basic technique are refused", "[unit][basic_colliding]") {
   BasicOptions options;
   options.event_cap = 0;
   CHECK_THROWS_WITH(Basic(options), Contains("event_cap = 0"));

@@ -194,13 +194,12 @@ TEST_CASE("The order of techniques changes from problem to problem", "[claims][c
 TEST_CASE(
     "A box tips at the angle of its diagonal under friction, and not where damping stands for it",
     "[exact][choosing]") {
-  constexpr double kLimit = 26.565051177;  // [deg] arctan 1/2
-  constexpr int kHalves = 5;               // of 58 degrees: the middle is off by 0.91 at most
+  CHECK(kTippingSlope == near(26.565051177).margin(1e-9));  // [deg] arctan 1/2
   for (const char* name : {"contact_damped", "analytic", "time_stepping", "impulse"}) {
     INFO(name);
-    CHECK(std::abs(tipping_angle(played(name), kHalves) - kLimit) < 0.92);  // measured: 0.6
+    CHECK(tips_at_limit(played(name), 0.1));
   }
-  CHECK(std::isinf(tipping_angle(played("damped"), kHalves)));
+  CHECK_FALSE(tips_at_limit(played("damped"), 30.0));
 }
 
 TEST_CASE("A pile that falls has no speed at rest, and one that stands has", "[unit][choosing]") {

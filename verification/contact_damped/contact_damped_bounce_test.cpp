@@ -175,3 +175,33 @@ TEST_CASE(
     }
   }
 }
+
+TEST_CASE("A light elastic cube between heavy ones that arrive at once stays, and they return",
+          "[exact][contact_damped]") {
+  for (const double mass : {10.0, 100.0, 1e4}) {
+    for (const double dt : {1.0 / 240.0, 1.0 / 60.0, 1.0 / 30.0}) {
+      CAPTURE(mass, dt);
+      const std::vector<InRow> cubes = {{-0.5, 1.0, mass}, {0.0, 0.0, 1.0}, {0.5, -1.0, mass}};
+      CHECK(error_of_speeds(cubes, {-1.0, 0.0, 1.0}, 1.0, dt) < 1e-5);
+    }
+  }
+}
+
+TEST_CASE("A row of touching elastic cubes that is hit leaves as one, however long and unlike",
+          "[exact][contact_damped]") {
+  for (const int count : {5, 25, 60}) {
+    for (const double ratio : {1.0, 10.0}) {
+      CAPTURE(count, ratio);
+      std::vector<InRow> cubes = {{-0.5, 1.0, 1.0}};
+      double mass = 0.0;
+      for (int k = 0; k < count; ++k) {
+        cubes.push_back({k * kEdge, 0.0, std::pow(ratio, k % 3)});
+        mass += cubes.back().mass;
+      }
+      // Newton's law at the face that is hit, and momentum.
+      std::vector<double> right(cubes.size(), 2.0 / (1.0 + mass));
+      right.front() = (1.0 - mass) / (1.0 + mass);
+      CHECK(error_of_speeds(cubes, right, 1.0, 1.0 / 60.0) < 1e-4);
+    }
+  }
+}

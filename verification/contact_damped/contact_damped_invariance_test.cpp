@@ -204,26 +204,6 @@ TEST_CASE("Without gravity no step raises the kinetic energy except as booked, i
   CHECK(worst < 1e-12);  // [-] rounding
 }
 
-TEST_CASE("A copy of world and technique goes on with the same bits",
-          "[determinism][contact_damped]") {
-  BOTH_POSES;
-  for (const Example& example : kExamples) {
-    World world = world_of(example.scene, example.settings);
-    World again = world;
-    const std::unique_ptr<Technique> technique = contact_damped();
-    const std::unique_ptr<Technique> fresh = contact_damped();
-    run(world, *technique, 20.0 * kFrame);
-    World copy = world;
-    const std::unique_ptr<Technique> clone = technique->clone();
-    run(world, *technique, 40.0 * kFrame);
-    run(copy, *clone, 40.0 * kFrame);
-    run(again, *fresh, 60.0 * kFrame);
-    INFO(example.scene);
-    CHECK(copy.hash().value() == world.hash().value());
-    CHECK(again.hash().value() == world.hash().value());
-  }
-}
-
 TEST_CASE("The order of the bodies does not decide whether a pile stands",
           "[unit][contact_damped]") {
   BOTH_POSES;

@@ -159,13 +159,14 @@ TEST_CASE("The overlap correction removes a share of the overlap, and lets nothi
   OnGround one(0.5, -0.01);
   MovingBody move = one.box;
   MovingBody still = one.ground;
-  begin_correction(still, move, one.patch);
-  for (int pass = 0; pass < 60; ++pass) correct_overlap(one.patch, 1e-5, 0.2, still, move);
+  OverlapCorrection correction{inverse_mass_of(one.patch, still, move), {}};
+  for (int pass = 0; pass < 60; ++pass)
+    correct_overlap(one.patch, 1e-5, 0.2, correction, still, move);
   CHECK(move.velocity_w.y() == near(0.2 * (0.01 - 1e-5)).margin(1e-12));
   OnGround apart(0.5, 0.01);
   MovingBody rest = apart.box;
-  begin_correction(still, rest, apart.patch);
-  CHECK(correct_overlap(apart.patch, 1e-5, 0.2, still, rest) == 0.0);
+  OverlapCorrection none{inverse_mass_of(apart.patch, still, rest), {}};
+  CHECK(correct_overlap(apart.patch, 1e-5, 0.2, none, still, rest) == 0.0);
   CHECK(rest.velocity_w.norm() == 0.0);
 }
 

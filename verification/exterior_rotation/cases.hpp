@@ -4,6 +4,7 @@
 
 #include "tumble/exterior_rotation/glued.hpp"
 #include "tumble/scenes/library.hpp"
+#include "tumble/scenes/simulation.hpp"
 
 #include "support/changed_world.hpp"
 #include "support/runs.hpp"
@@ -99,6 +100,14 @@ inline World flying_group(const Vec3& gravity_w) {
   for (std::size_t k = 0; k < 3; ++k)
     world.states()[k].linear_momentum_w -= world.bodies()[k].mass / mass * momentum_w;
   return world;
+}
+
+// The largest distance of a joint's two sides, at its corners.
+inline double apart(const Simulation& run) {
+  double most = 0.0;
+  for (const BodyJoint& joint : run.world().joints())
+    most = std::max(most, gap_of(joint_of(run.world(), joint), run.world().states()).apart);
+  return most;
 }
 
 }  // namespace tumble::test

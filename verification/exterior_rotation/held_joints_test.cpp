@@ -5,6 +5,7 @@
 #include "tumble/math/rotation.hpp"
 #include "tumble/scenes/simulation.hpp"
 
+#include "exterior_rotation/cases.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 
@@ -14,14 +15,6 @@ namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-
-// The largest distance of a joint's two sides, at its corners.
-double apart(const Simulation& run) {
-  double most = 0.0;
-  for (const BodyJoint& joint : run.world().joints())
-    most = std::max(most, gap_of(joint_of(run.world(), joint), run.world().states()).apart);
-  return most;
-}
 
 // Two boxes in flight without gravity, joined where they touch.
 Simulation flying_pair(JointKind kind) {

@@ -6,6 +6,7 @@
 #include "tumble/record/run.hpp"
 #include "tumble/scenes/simulation.hpp"
 
+#include "exterior_rotation/cases.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 
@@ -22,13 +23,6 @@ SceneBox cube_at(const std::string& name, const Vec3& position_w, double mass = 
   box.position_w = position_w;
   box.mass = mass;
   return box;
-}
-
-double apart(const Simulation& run) {
-  double most = 0.0;
-  for (const BodyJoint& joint : run.world().joints())
-    most = std::max(most, gap_of(joint_of(run.world(), joint), run.world().states()).apart);
-  return most;
 }
 
 // What the ground carries, as impulses of the last step.

@@ -156,12 +156,9 @@ WorldVerdict judge(const RandomWorld& random, std::string_view technique,
     const Energy start = energy_of(world);
     const Vec3 momentum_w = linear_momentum(world);
     const bool closed = !random.scene.ground && random.scene.gravity_w.isZero();
-    double scale = start.kinetic;
+    const double scale = start.kinetic + lifting_energy(world);
     double speeds = 0.0;
-    for (const SceneBox& box : random.scene.boxes) {
-      scale += box.mass * random.scene.gravity_w.norm() * box.size.maxCoeff();
-      speeds += box.mass * box.velocity_w.norm();
-    }
+    for (const SceneBox& box : random.scene.boxes) speeds += box.mass * box.velocity_w.norm();
     double booked = 0.0;
     for (int k = 0; k < steps; ++k) {
       const StepReport report = simulation.step(random.dt);

@@ -6,7 +6,7 @@
 using namespace tumble::chapters;
 
 TEST_CASE("A chain finds a motion that knocks down the wished pins", "[claims][sampling]") {
-  const FigureUnderTest figure("sampled_motions");
+  const FigureUnderTest figure("chain_motions");
   CHECK(figure.number("motions tried by the chains until each has found one") <= 60);
   CHECK(figure.number("share of proposals that were accepted") > 0.1);
   CHECK(figure.result.drawings.size() == 3);

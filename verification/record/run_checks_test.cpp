@@ -335,7 +335,7 @@ TEST_CASE("A turn of more than a radian in a step is named with a step that woul
   const RunResult turned = ran(scene);
   CHECK(turned.worst == StepStatus::done);
   REQUIRE(turned.findings.size() == 1);
-  CHECK(turned.findings[0].find("right turns by 2 rad") != std::string::npos);
+  CHECK(turned.findings[0].find("right rotates by 2 rad") != std::string::npos);
   CHECK(turned.findings[0].find("--dt 0.025") != std::string::npos);
   scene.boxes[1].angular_velocity_w = Vec3(0.0, 9.9, 0.0);
   CHECK(ran(scene).findings.empty());

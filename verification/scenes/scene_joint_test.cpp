@@ -77,12 +77,10 @@ TEST_CASE("A joint that is wrong is refused with its line, the value and what wo
   check(ball + kBodies,
         "my.toml:17: joint[1].anchor: missing: [x, y, z] in m, the joint's point at "
         "the start");
-  check(
-      "kind = \"hinge\"\n" + kBodies + kAnchor,
-      "my.toml:17: joint[1].axis: missing or 0: a hinge needs the direction about which it turns");
-  check(
-      "kind = \"hinge\"\n" + kBodies + kAnchor + "axis = [0, 0, 0]\n",
-      "my.toml:22: joint[1].axis: missing or 0: a hinge needs the direction about which it turns");
+  check("kind = \"hinge\"\n" + kBodies + kAnchor,
+        "my.toml:17: joint[1].axis: missing or 0: a hinge needs the direction of its axis");
+  check("kind = \"hinge\"\n" + kBodies + kAnchor + "axis = [0, 0, 0]\n",
+        "my.toml:22: joint[1].axis: missing or 0: a hinge needs the direction of its axis");
   check(
       ball + kBodies + kAnchor + "axis = [0, 0, 1]\n",
       "my.toml:22: joint[1].axis: a ball joint has none: leave it out, or write kind = \"hinge\"");
@@ -125,10 +123,11 @@ TEST_CASE("Every technique but glued refuses joints by its own name, with the re
       CHECK_NOTHROW(run.step());
       continue;
     }
-    CHECK_THROWS_WITH(run.step(), "tumble: technique " + std::string(recipe.name) +
-                                      " knows no joints, and the scene has 2, the first called "
-                                      "joint1: choose glued (--technique glued), or leave out "
-                                      "[[joint]]");
+    CHECK_THROWS_WITH(run.step(),
+                      "tumble: technique " + std::string(recipe.name) +
+                          " does not support joints, and the scene has 2, the first called "
+                          "joint1: choose glued (--technique glued), or leave out "
+                          "[[joint]]");
     CHECK(run.world().steps() == 0);
   }
 }

@@ -149,7 +149,7 @@ TEST_CASE("A wish that cannot come true is refused with its line, the value and 
        "wish[1].body = post: it is fixed and never moves: give it a mass"},
       {wish("moves", "", "[\"die\", \"post\"]"), "wish[1].body = post: it is fixed"},
       {wish("topples") + wish("stands"),
-       "wish[2].kind = stands: contradicts wish[1]: die cannot turn by 45 degrees"},
+       "wish[2].kind = stands: contradicts wish[1]: die cannot rotate by 45 degrees"},
       {wish("stands") + wish("topples"), "wish[2].kind = topples: contradicts wish[1]"},
       {wish("moves") + wish("stays"),
        "contradicts wish[1]: die cannot move by 4 m or more and by at most 0.25 m"},

@@ -71,7 +71,7 @@ void describe(AnalyticOptions& o, Visitor& v) {
   v.number("resolution", o.resolution, tolerance::least_event_resolution, 1.0, "s",
            "time resolution of the search for impacts");
   v.whole("event_cap", o.event_cap, 1, 1000000,
-          "collisions and ends of sliding in a step, after which its rest is one step of "
+          "limit of collisions and ends of sliding in a step; the rest is one step of "
           "time_stepping");
   v.number("damping_velocity", o.damping.velocity, 0.0, 1.0, "-",
            "friction=damping: factor of velocities in 1/60 s (k1 of the thesis)");

@@ -13,7 +13,7 @@
 /// 4. island_solver.hpp: the direct solver, in island_setup.cpp, island_solver.cpp (ADMM) and island_newton.cpp
 ///    (Newton steps), with the arithmetic of island_parts.hpp.
 /// 5. solve_again.cpp: islands that have to be solved once more; step_parts.hpp: when a step is divided.
-/// 6. bounce_and_correct.cpp: restitution, overlap and the energy account.
+/// 6. bounce.cpp: restitution; correct_and_account.cpp: overlap and the energy account.
 ///
 /// Iteration counts and residuals are in tolerances.hpp.
 #pragma once
@@ -25,6 +25,7 @@
 #include "tumble/contact_damped/island_plan.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
 #include "tumble/contact_damped/persistent_manifolds.hpp"
+#include "tumble/contact_patches/patch_solver.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
@@ -79,11 +80,12 @@ struct ContactDampedOptions {
 /// 4. Bodies that push something immovable, or others that do, move with their velocity at the end of the step; the others fly
 ///    their parabola. One that turns by more than a quarter of a radian does so in parts of the step, since no rule keeps its
 ///    energy at once. Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate), unless they would sink so.
-/// 5. Fast impacts bounce by Newton's restitution, at all points of an island at once and by more sweeps: points that
-///    push and were approached part with e times the speed on arrival, those that push without approach stay
-///    together. A row of touching bodies that is hit leaves as one piece, apart from the body that hit it; across gaps, one
-///    bounce follows the other, in up to kMostBounces parts of the step. Where that asks for more energy than there is,
-///    limit_bounce() takes as much of it as there is.
+/// 5. Fast impacts bounce by Newton's restitution, at all points of an island at once: points that push and were
+///    approached part with e times the speed on arrival, those that push without approach stay together. More sweeps find
+///    these velocities; where they do not settle, all normal impulses are solved for together. A row of touching bodies that
+///    is hit leaves as one piece, apart from the body that hit it; across gaps, one bounce follows the other, in up to
+///    kMostBounces parts of the step. Where that asks for more energy than there is, limit_bounce() takes as much of it as
+///    there is.
 /// 6. Overlap beyond a slop is corrected by displacements; a body keeps its velocity in its own frame, and so its energy.
 /// 7. Islands at rest are put to sleep if that is on.
 ///
@@ -151,15 +153,17 @@ class ContactDamped : public Technique {
     std::vector<char> in_flight;        // by body index: pushed by nothing that is held
     std::vector<char> sinks;            // by body index: it would, carried by others
     std::vector<char> hit;              // by patch: an impact too fast to stick
+    std::vector<char> bounced;          // by patch: something in its island bounced
     std::vector<PushedPair> pushed;     // pairs with an impulse
     std::vector<Quat> start_wb;         // orientations at the start of the step
     std::vector<PatchImpulses>
-        impulses_before_bounce;             // by patch: impulses before something bounced
-    KeptSolution kept;                      // of an island, while raised targets are tried
-    KeptSolution swept;                     // ditto, while the direct solver is
-    std::vector<MovingBody> held;           // velocities with friction alone
-    PivotUpdate pivots;                     // bodies that are moved together
-    std::vector<MovingBody> displacements;  // of the overlap correction
+        impulses_before_bounce;                  // by patch: impulses before something bounced
+    KeptSolution kept;                           // of an island, while raised targets are tried
+    KeptSolution swept;                          // ditto, while the direct solver is
+    std::vector<MovingBody> held;                // velocities with friction alone
+    PivotUpdate pivots;                          // bodies that are moved together
+    std::vector<MovingBody> displacements;       // of the overlap correction
+    std::vector<OverlapCorrection> corrections;  // ditto, by patch
   };
 
   // A bounce in the middle of a step.
@@ -191,6 +195,7 @@ class ContactDamped : public Technique {
   bool carry(int k, double dt, World& world, StepReport& report) const;
   void move(World& world, double dt, StepReport& report);
   void bounce(World& world, double dt, StepReport& report);
+  void forget_bounces();
   void correct_overlaps(World& world, double dt, StepReport& report);
   void store_bounced_velocities(World& world);
   void account(const World& world, StepReport& report) const;

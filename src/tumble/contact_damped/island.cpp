@@ -3,11 +3,9 @@
 #include "tumble/contact_damped/island.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/contact/energy_on_the_way.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/contact_patches/patch_solver.hpp"
-#include "tumble/math/sparse_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,37 +13,6 @@
 
 namespace tumble {
 namespace {
-
-// Velocity in the world's frame and angular velocity in a body's own one at the start of the step.
-Vec6 motion_in(const Island& island, int k, const MovingBody& moving) {
-  Vec6 u;
-  u << moving.velocity_w, island.start_wb[idx(k)].conjugate() * moving.angular_velocity_w;
-  return u;
-}
-
-// What the kinetic energy of a body is in these coordinates: the sum of each squared times its weight.
-Vec6 energy_weights(const BodyProperties& body) {
-  Vec6 weights;
-  weights << Vec3::Constant(0.5 * body.mass), 0.5 * body.inertia_b;
-  return weights;
-}
-
-// The kinetic energy on the way from earlier velocities to the present ones, over that of the start of the step.
-EnergyOnTheWay kinetic_energy_from(const Island& island, std::span<const MovingBody> from) {
-  EnergyOnTheWay way;
-  for (const int k : island.bodies) {
-    if (island.now[idx(k)].inverse_mass.x() == 0.0) continue;
-    const Vec6 weights = energy_weights(island.world.bodies()[idx(k)]);
-    const Vec6 had = motion_in(island, k, island.start[idx(k)]);
-    const Vec6 u = motion_in(island, k, from[idx(k)]);
-    const Vec6 more = motion_in(island, k, island.now[idx(k)]) - u;
-    way.start += weights.dot(u.cwiseAbs2() - had.cwiseAbs2());
-    way.slope += 2.0 * weights.dot(u.cwiseProduct(more));
-    way.curvature += weights.dot(more.cwiseAbs2());
-    way.error += tolerance::energy_rounding * weights.dot(u.cwiseAbs2() + had.cwiseAbs2());
-  }
-  return way;
-}
 
 // The normal velocity with which a point hits after a free fall through its gap; 0 or above if it does not
 // approach before gravity has acted: a resting point does not hit.
@@ -64,17 +31,32 @@ void note_approach_of(const Island& island, ContactPatch& patch) {
   for (ContactPatchPoint& p : patch.used()) p.approach = approach_of(p, before, after, island.dt);
 }
 
+// sqrt(g L) [m/s], or what stands for it.
+double speed_unit(const Island& island, double size) {
+  const double g = island.world.gravity_w.norm();
+  return g > 0.0 ? std::sqrt(g * size) : tolerance::weightless_unit * size / island.dt;
+}
+
 // Speed of the fastest point of a patch, of its two bodies along each other or apart, as a share of sqrt(g L).
 double scaled_speed(const Island& island, const ContactPatch& patch,
                     std::span<const MovingBody> moving) {
-  const double g = island.world.gravity_w.norm();
-  const double unit =
-      g > 0.0 ? std::sqrt(g * patch.size) : tolerance::weightless_unit * patch.size / island.dt;
+  const double unit = speed_unit(island, patch.size);
   const Six u = motion_of(patch, moving[idx(patch.first)], moving[idx(patch.second)]);
   double most = 0.0;
   for (const ContactPatchPoint& p : patch.used())
     most = std::max(most, velocity_at(p.along, p.across, u).norm());
   return most / unit;
+}
+
+// Whether bodies are so slow by themselves that no patch moves, and none has to be looked at. Against each other two may be
+// twice as fast, and points of their patch lie a little beside them: a margin of two.
+bool is_slow(const Island& island, std::span<const MovingBody> moving) {
+  double fastest = 0.0;  // [m/s]
+  for (const int k : island.bodies)
+    fastest = std::max(fastest,
+                       fastest_point_speed(island.world.bodies()[idx(k)], moving[idx(k)].velocity_w,
+                                           moving[idx(k)].angular_velocity_w));
+  return 4.0 * fastest < tolerance::moving_speed * speed_unit(island, shortest_edge(island));
 }
 
 // By how much a point of a patch approaches faster than its target allows [m/s]; below 0 if none does.
@@ -117,7 +99,13 @@ SpeedRange speed_range(const Island& island) {
           static_cast<double>(moving) / static_cast<double>(island.patch_indices.size())};
 }
 
+bool hardly_moves(const Island& island) {
+  return (is_slow(island, island.start) && is_slow(island, island.now)) ||
+         speed_range(island).higher < tolerance::moving_speed;
+}
+
 std::int64_t moving_patches(const Island& island) {
+  if (is_slow(island, island.start)) return 0;
   return std::count_if(island.patch_indices.begin(), island.patch_indices.end(), [&](int contact) {
     return scaled_speed(island, island.all_patches[idx(contact)], island.start) >
            tolerance::moving_speed;
@@ -245,38 +233,6 @@ void KeptSolution::restore(const Island& island, std::span<char> in_flight) cons
     island.now[idx(island.bodies[i])] = velocities_[i];
     in_flight[idx(island.bodies[i])] = in_flight_[i];
   }
-}
-
-double share_without_gain(const Island& island) {
-  EnergyOnTheWay way = kinetic_energy_from(island, island.free);
-  way.start = 0.0;  // compared with `free`
-  return way.allowed();
-}
-
-void limit_energy(const Island& island, double share, StepReport& report) {
-  // [S6.3.1:guard]
-  if (share == 1.0) return;
-  for (const int k : island.bodies) interpolate(island.free[idx(k)], share, island.now[idx(k)]);
-  for (const int contact : island.patch_indices)
-    scale_impulses(share, island.all_patches[idx(contact)]);
-  // [S6.3.1:guard]
-  ++report.fallbacks;
-}
-
-void limit_bounce(const Island& island, std::span<const MovingBody> before,
-                  std::span<const PatchImpulses> impulses, StepReport& report) {
-  EnergyOnTheWay way = kinetic_energy_from(island, before);
-  for (const int k : island.bodies) {
-    if (island.now[idx(k)].inverse_mass.x() == 0.0) continue;
-    const Vec3 moved_w = island.world.states()[idx(k)].position_w - island.start[idx(k)].position_w;
-    way.start -= island.world.bodies()[idx(k)].mass * island.world.gravity_w.dot(moved_w);
-  }
-  const double share = way.allowed();
-  if (share == 1.0) return;
-  for (const int k : island.bodies) interpolate(before[idx(k)], share, island.now[idx(k)]);
-  for (const int contact : island.patch_indices)
-    go_back(impulses[idx(contact)], share, island.all_patches[idx(contact)]);
-  ++report.fallbacks;
 }
 
 }  // namespace tumble

@@ -56,6 +56,11 @@ struct SpeedRange {
 /// \return see there
 [[nodiscard]] SpeedRange speed_range(const Island& island);
 
+/// Whether no patch of an island moves, neither before the step nor with the impulses so far.
+/// \param island  with a patch at least
+/// \return true if all are slower than tolerance::moving_speed both times
+[[nodiscard]] bool hardly_moves(const Island& island);
+
 /// The patches of an island whose bodies move against each other before the step.
 /// \param island  with a patch at least
 /// \return how many are faster than tolerance::moving_speed

@@ -159,7 +159,6 @@ void IslandSolver::newton(std::span<const ContactPatch> patches, const IslandLim
   if (std::any_of(points_.begin(), points_.end(), steep)) return;
   saved_points_ = points_;
   saved_members_ = members_;
-  factored_stamps_.clear();  // the matrix will no longer hold the factors of ADMM
   int steps = 0;
   int unbalanced = 0;
   double residual = result.residual;
@@ -202,7 +201,6 @@ IslandResult IslandSolver::solve_normal(std::span<const int> bodies, std::span<c
   load(bodies, contacts, held, patches, now, FrictionLaw::held);
   if (costs_too_much(limits.max_work)) return result;
   result.accepted = true;
-  factored_stamps_.clear();
   const double balanced = tolerance::newton_balanced * limits.residual;
   while (!result.converged && result.factorizations < limits.max_newton_steps) {
     const double change =

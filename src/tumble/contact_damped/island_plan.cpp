@@ -28,10 +28,6 @@ double skipped_residual_of(const Island& island) {
   return is_small(island) ? 0.0 : tolerance::solved_residual * negligible_residual(island);
 }
 
-bool hardly_moves(const Island& island) {
-  return speed_range(island).higher < tolerance::moving_speed;
-}
-
 // By how much this step speeds up the fastest point of an island [m/s].
 double speed_gained(const Island& island) {
   double most = 0.0;
@@ -109,13 +105,6 @@ bool exceeds_budget(const Island& island, const IslandEffort& effort) {
          effort.budget;
 }
 
-// Whether Newton steps for normal impulses cost more than that.
-bool normal_exceeds_budget(const Island& island, const IslandEffort& effort) {
-  return static_cast<std::int64_t>(island.patch_indices.size()) * tolerance::small_newton_steps *
-             tolerance::newton_step_sweeps >
-         effort.budget;
-}
-
 // Whether anything in an island moves, so that its contacts change in the next step.
 bool moves(const SpeedRange& speed) {
   return speed.moving > 0.0 || speed.lower >= tolerance::fast_speed;
@@ -135,6 +124,12 @@ int swept_within(const Island& island, const IslandEffort& effort, int most) {
 bool has_to_be_swept(const Island& island, const SpeedRange& speed, const IslandEffort& effort) {
   if (is_small(island)) return effort.crowded && much_moves(speed);
   return much_moves(speed) || (moves(speed) && exceeds_budget(island, effort));
+}
+
+bool normal_exceeds_budget(const Island& island, const IslandEffort& effort) {
+  return static_cast<std::int64_t>(island.patch_indices.size()) * tolerance::small_newton_steps *
+             tolerance::newton_step_sweeps >
+         effort.budget;
 }
 
 bool are_too_many(std::int64_t patches, const IslandEffort& effort) {

@@ -79,6 +79,12 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
 [[nodiscard]] bool has_to_be_swept(const Island& island, const SpeedRange& speed,
                                    const IslandEffort& effort);
 
+/// Whether Newton steps for the normal impulses of an island exceed the budget.
+/// \param island  the island
+/// \param effort  the work that is allowed
+/// \return true if so
+[[nodiscard]] bool normal_exceeds_budget(const Island& island, const IslandEffort& effort);
+
 /// Whether small islands in motion, each solved as well as one by itself, exceed the budget of a large one together.
 /// \param patches  in these islands that move before the step
 /// \param effort   the work that is allowed

@@ -39,9 +39,8 @@ std::array<double, ContactPatch::kMostPoints> point_pressures(const ContactPatch
 void IslandSolver::load(std::span<const int> bodies, std::span<const int> contacts,
                         std::span<const MovingBody> free, std::span<const ContactPatch> patches,
                         std::span<const MovingBody> now, FrictionLaw law) {
-  member_of_.assign(now.size(), -1);
+  member_of_.resize(now.size(), -1);
   members_.clear();
-  stamps_.clear();
   for (const int body : bodies) {
     member_of_[idx(body)] = static_cast<int>(members_.size());
     Member& member = members_.emplace_back();
@@ -69,8 +68,8 @@ void IslandSolver::load(std::span<const int> bodies, std::span<const int> contac
     constraint.begin = static_cast<int>(points_.size());
     load_points(patch, heaviest, law);
     constraint.end = static_cast<int>(points_.size());
-    stamps_.push_back(patch.stamp);
   }
+  for (const int body : bodies) member_of_[idx(body)] = -1;
   x_.resize(members_.size());
   newton_start_.resize(members_.size());
   // Factorization takes square roots. In units of about a body's mass, scaling all masses by a power of two
@@ -82,7 +81,7 @@ void IslandSolver::load(std::span<const int> bodies, std::span<const int> contac
 
 // Whether factors would. Finds out where they have entries.
 bool IslandSolver::costs_too_much(double max_work) {
-  if (matrix_.analyse(static_cast<int>(members_.size()), joined_)) factored_stamps_.clear();
+  matrix_.analyse(static_cast<int>(members_.size()), joined_);
   return static_cast<double>(matrix_.multiplications_of_factor()) >
          max_work * static_cast<double>(members_.size());
 }
@@ -120,7 +119,9 @@ void IslandSolver::load_points(const ContactPatch& patch, double heaviest, Frict
   const double turn = square > tolerance::rounding * far ? moment / square : 0.0;
   for (std::size_t i = 0; i < idx(patch.count); ++i) {
     const ContactPatchPoint& p = patch.points[i];
+    if (std::isinf(p.target)) continue;
     Point& point = points_.emplace_back();
+    point.place = i;
     point.along = p.along;
     point.across = p.across;
     point.target = p.target;
@@ -167,7 +168,6 @@ void IslandSolver::begin_iterations(std::span<const ContactPatch> patches, doubl
       const double speed = std::sqrt(u[0] * u[0] + u[1] * u[1]);
       p.slides =
           law == FrictionLaw::coulomb && speed > tolerance::slide_steps * p.friction * unit_speed;
-      stamps_.push_back(p.slides ? 1 : 0);
       if (p.slides) {
         p.slip_direction = {u[0] / speed, u[1] / speed, 0.0};
         p.impulse.head<2>() = -p.friction * p.impulse[2] * p.slip_direction.head<2>();
@@ -215,14 +215,6 @@ void IslandSolver::factor(std::span<const ContactPatch> patches, bool newton) {
       matrix_.add_to_pair(constraint.pair, -spring.between(patch.first_arm_w, patch.second_arm_w));
   }
   matrix_.factor();
-}
-
-void IslandSolver::factor_if_changed(std::span<const ContactPatch> patches, IslandResult& result) {
-  if (factored_stiffness_ == stiffness_ && factored_stamps_ == stamps_) return;
-  factored_stamps_ = stamps_;
-  factored_stiffness_ = stiffness_;
-  ++result.factorizations;
-  factor(patches, false);
 }
 
 // Momenta without contacts.

@@ -102,7 +102,7 @@ void IslandSolver::store(std::span<const int> bodies, bool from_impulses,
     Six sum{};
     for (int i = constraint.begin; i < constraint.end; ++i) {
       const Point& p = points_[idx(i)];
-      ContactPatchPoint& point = patch.points[idx(i - constraint.begin)];
+      ContactPatchPoint& point = patch.points[p.place];
       point.impulse = p.impulse[2];
       if (friction) point.solver_impulse = p.impulse;
       add_push(p.along, p.across, p.impulse, sum);
@@ -121,9 +121,14 @@ bool IslandSolver::iterate(std::span<const ContactPatch> patches, const IslandLi
                            FrictionLaw law, IslandResult& result) {
   stiffness_ = tolerance::admm_stiffness;
   begin_iterations(patches, limits.unit_speed, law);
+  double factored = 0.0;        // stiffness in the factors
   double first_residual = 0.0;  // [m/s] after one iteration
   for (int k = 1; k <= limits.max_iterations; ++k) {
-    factor_if_changed(patches, result);
+    if (factored != stiffness_) {
+      factored = stiffness_;
+      ++result.factorizations;
+      factor(patches, false);
+    }
     solve_velocities(patches);
     double primal = 0.0;
     double dual = 0.0;

@@ -86,8 +86,8 @@ struct IslandResult {
 /// ADMM that is stopped early leaves velocities that nearly meet all conditions, and impulses within the
 /// cones that nearly belong to them.
 /// \par Cost and determinism
-/// SparseBlocks::factor() if the island or the place of a patch in it has changed since the last call, and
-/// SparseBlocks::solve() in each iteration; the factors of one island are kept. No allocation once warm.
+/// SparseBlocks::factor() at the start and where the stiffness changes, SparseBlocks::solve() in each iteration. No allocation
+/// once warm. The result depends on nothing but the island: not on what was solved before.
 /// \see Boyd et al., "Distributed optimization and statistical learning via the alternating direction
 ///      method of multipliers", Found. Trends Mach. Learn. 3 (2011).
 /// \see De Saxcé, Feng, "The bipotential method", Math. Comput. Model. 28 (1998), for s.
@@ -138,8 +138,9 @@ class IslandSolver {
     Vec6 free = Vec6::Zero();       // velocity and angular velocity without contacts
     Vec6 now = Vec6::Zero();        // the present ones
   };
-  // A point of a patch; vectors are along, across, normal.
+  // A point of a patch that asks for something; vectors are along, across, normal.
   struct Point {
+    std::size_t place = 0;               // in the patch
     double along = 0.0, across = 0.0;    // [m] from the middle of the patch
     double target = 0.0;                 // [m/s] w
     double shift = 0.0;                  // [m/s] s
@@ -174,7 +175,6 @@ class IslandSolver {
   void begin_iterations(std::span<const ContactPatch> patches, double unit_speed, FrictionLaw law);
   [[nodiscard]] Six motion_now(const Constraint& constraint, const ContactPatch& patch) const;
   void factor(std::span<const ContactPatch> patches, bool newton);
-  void factor_if_changed(std::span<const ContactPatch> patches, IslandResult& result);
   void begin_right_side();
   void add_to_right_side(const Constraint& constraint, const ContactPatch& patch,
                          const Six& impulse);
@@ -201,7 +201,7 @@ class IslandSolver {
   void move_along(double share, std::span<const ContactPatch> patches);
   [[nodiscard]] double slope(double share) const;
 
-  std::vector<int> member_of_;  // by body index, -1 for others
+  std::vector<int> member_of_;  // by body index, -1 for others and between solutions
   std::vector<Member> members_;
   std::vector<Constraint> constraints_;
   std::vector<Point> points_;
@@ -213,11 +213,7 @@ class IslandSolver {
   double unit_mass_ = 1.0;  // [1/kg] a power of two, one over about a body's mass
   double stiffness_ = 0.0;  // [-] rho times inverse mass, the same for all points
 
-  // Kept from step to step: the factors, and what they belong to.
   SparseBlocks matrix_;
-  double factored_stiffness_ = 0.0;
-  std::vector<std::uint64_t> factored_stamps_;  // of patches, then which points slide
-  std::vector<std::uint64_t> stamps_;           // the same for the present island
 };
 
 }  // namespace tumble

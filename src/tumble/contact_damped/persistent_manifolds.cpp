@@ -202,6 +202,15 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
   std::swap(patches_, previous_);
   patches_.clear();
   next_ = 0;
+  // At rest all patches are kept. They stay where they are then, and are copied from the first change on.
+  std::size_t same = 0;
+  bool all_kept = true;
+  const auto copy_kept = [&] {
+    if (!all_kept) return;
+    all_kept = false;
+    const auto begin = previous_.begin();
+    patches_.insert(patches_.begin(), begin, begin + static_cast<std::ptrdiff_t>(same));
+  };
   const Vec3 rest_w = velocity_of_rest(bodies);
   for (const IndexPair& pair : candidates) {
     const MovingBody& first = bodies[idx(pair.first)];
@@ -214,19 +223,29 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
     ContactPatch* const previous =
         previous_patch(world.ids()[idx(pair.first)], world.ids()[idx(pair.second)]);
     if (previous != nullptr && still_valid(world, pair, first, second, reach, *previous)) {
-      patches_.push_back(*previous);
+      if (previous != &previous_[same]) copy_kept();
+      if (all_kept)
+        ++same;
+      else
+        patches_.push_back(*previous);
     } else {
       ++found.pair_tests;
       const AxisIndex axis = previous != nullptr ? previous->axis : kNoAxis;
       if (!look_for_patch(world, pair, bodies, rest_w, dt, axis)) continue;
+      copy_kept();
       if (previous != nullptr) transfer_impulses(*previous, patches_.back());
     }
     // [S6.3.1:kept]
-    ContactPatch& patch = patches_.back();
+    ContactPatch& patch = all_kept ? previous_[same - 1] : patches_.back();
     set_for_step(pair, bodies, dt, patch);
     scale_impulses(impulse_ratio, patch);
+    patch.carried_impulse = impulse_of(patch)[six::normal];
     for (const ContactPatchPoint& p : patch.used())
       found.deepest_overlap = std::max(found.deepest_overlap, -p.gap);
+  }
+  if (all_kept) {
+    previous_.resize(same);
+    std::swap(patches_, previous_);
   }
   drop_grazed_edges(bodies, patches_);
   for (const ContactPatch& patch : patches_) found.points += patch.count;
@@ -237,6 +256,7 @@ void PersistentManifolds::shorten(std::span<const MovingBody> bodies, double dt,
   for (ContactPatch& patch : patches_) {
     set_for_step({patch.first, patch.second}, bodies, dt, patch);
     scale_impulses(ratio, patch);
+    patch.carried_impulse *= ratio;
   }
 }
 

@@ -105,6 +105,14 @@ double height_of_touch(const Manifold& found, const Vec3& mean_w, double slop) {
 
 }  // namespace
 
+SixBySix inverse_mass_of(const ContactPatch& patch, const MovingBody& first,
+                         const MovingBody& second) {
+  SixBySix sum{};
+  add_body(first, patch.first_arm_w, patch.frame_w, sum);
+  add_body(second, patch.second_arm_w, patch.frame_w, sum);
+  return sum;
+}
+
 Vec3 position_of(const ContactPatch& patch, const MovingBody& first,
                  const ContactPatchPoint& point) {
   return first.position_w + patch.first_arm_w + point.along * patch.frame_w.col(0) +
@@ -137,9 +145,7 @@ void build_patch(const Manifold& found, const MovingBody& first, const MovingBod
     point.feature = p.feature;
   }
   patch.along_impulse = patch.across_impulse = patch.twist_impulse = 0.0;
-  patch.inverse_mass = {};
-  add_body(first, patch.first_arm_w, patch.frame_w, patch.inverse_mass);
-  add_body(second, patch.second_arm_w, patch.frame_w, patch.inverse_mass);
+  patch.inverse_mass = inverse_mass_of(patch, first, second);
   find_moments(patch);
   if (patch.spans_area) patch.mass = inverse_of(patch.inverse_mass);
 }
@@ -160,8 +166,7 @@ bool distribute_evenly(const Six& impulse, const ContactPatch& patch,
 }
 
 void transfer_impulses(const ContactPatch& before, ContactPatch& patch) {
-  // The impulse of the previous patch about the middle of the new one and in its frame. It moves with the body
-  // on which the patch has moved less: the sliding one, if the other one is larger.
+  // About the middle of the new patch. It moves with the body on which the patch has moved less.
   const Six old = impulse_of(before);
   const Mat3 turn = patch.frame_w.transpose() * before.frame_w;
   const Vec3 force = turn * Vec3(old[0], old[1], old[2]);
@@ -271,10 +276,14 @@ bool asks_for_nothing(const ContactPatch& patch) {
 
 void correct_targets_for_rotation(const MovingBody& first, const MovingBody& second, double dt,
                                   ContactPatch& patch) {
+  const auto turns_far = [dt](const MovingBody& body) {
+    return dt * body.angular_velocity_w.norm() > tolerance::fast_turn;
+  };
+  if (!turns_far(first) && !turns_far(second)) return;
   // How much further along the normal than its tangent the arc of a point leads.
   const auto rise = [&](const MovingBody& body, const Vec3& arm_w) {
+    if (!turns_far(body)) return 0.0;
     const Vec3 turn_w = dt * body.angular_velocity_w;
-    if (!(turn_w.norm() > tolerance::fast_turn)) return 0.0;
     const Vec3 arc_w = rotation_from_vector(turn_w) * arm_w - arm_w;
     return patch.frame_w.col(2).dot(arc_w - turn_w.cross(arm_w));
   };
@@ -286,13 +295,6 @@ void correct_targets_for_rotation(const MovingBody& first, const MovingBody& sec
     p.target -= away / dt;
     patch.targets_planar = false;
   }
-}
-
-void begin_correction(const MovingBody& first, const MovingBody& second, ContactPatch& patch) {
-  for (ContactPatchPoint& p : patch.points) p.correction = 0.0;
-  patch.correction_inverse_mass = {};
-  add_body(first, patch.first_arm_w, patch.frame_w, patch.correction_inverse_mass);
-  add_body(second, patch.second_arm_w, patch.frame_w, patch.correction_inverse_mass);
 }
 
 }  // namespace tumble

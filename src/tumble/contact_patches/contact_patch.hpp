@@ -34,15 +34,14 @@ inline constexpr std::size_t twist = 5;        ///< about the normal
 
 /// One point of a contact patch.
 struct ContactPatchPoint {
-  double along = 0.0;       ///< [m] from the middle along the first tangent
-  double across = 0.0;      ///< [m] from the middle along the second tangent
-  double built_gap = 0.0;   ///< [m] when the patch was built; below 0 the surfaces overlap
-  double gap = 0.0;         ///< [m] now
-  double target = 0.0;      ///< [m/s] least normal velocity allowed at the end of the step
-  double approach = 0.0;    ///< [m/s] normal velocity with which it hits, if below 0
-  double impulse = 0.0;     ///< [N s] along the normal, at least 0
-  double correction = 0.0;  ///< [m] pseudo-impulse of the overlap correction so far, at least 0
-  FeatureId feature = 0;    ///< identifies the point over time
+  double along = 0.0;      ///< [m] from the middle along the first tangent
+  double across = 0.0;     ///< [m] from the middle along the second tangent
+  double target = 0.0;     ///< [m/s] least normal velocity allowed at the end of the step
+  double impulse = 0.0;    ///< [N s] along the normal, at least 0
+  double gap = 0.0;        ///< [m] now; below 0 the surfaces overlap
+  double built_gap = 0.0;  ///< [m] when the patch was built
+  double approach = 0.0;   ///< [m/s] normal velocity with which it hits, if below 0
+  FeatureId feature = 0;   ///< identifies the point over time
   /// [N s] along, across, normal: the point's impulse when IslandSolver last solved the patch. Later
   /// changes are in the sums of the patch only.
   Vec3 solver_impulse = Vec3::Zero();
@@ -55,37 +54,39 @@ struct ContactPatchPoint {
 struct ContactPatch {
   static constexpr std::size_t kMostPoints = Manifold::kMostPoints;  ///< of a patch
 
+  // What a sweep reads stands together, since memory bounds large worlds.
+  int first = 0;                 ///< index of the first body in this step
+  int second = 0;                ///< index of the second body in this step
+  int count = 0;                 ///< points in use
+  bool spans_area = false;       ///< three points or more that are not on a line
+  bool targets_planar = false;   ///< one motion, `target_motion`, meets the targets of all points
+  bool solved_directly = false;  ///< by the direct solver, in the last step
+  double size = 0.0;             ///< [m] shortest edge of the movable bodies
+  double friction = 0.0;         ///< [-] coefficient of the pair
+  double along_impulse = 0.0;    ///< [N s] friction along the first tangent
+  double across_impulse = 0.0;   ///< [N s] friction along the second tangent
+  double twist_impulse = 0.0;    ///< [N m s] friction about the normal at the middle
+  Mat3 frame_w = Mat3::Identity();   ///< [-] columns: first tangent, second, normal
+  Vec3 first_arm_w = Vec3::Zero();   ///< [m] from the first body's centre to the middle
+  Vec3 second_arm_w = Vec3::Zero();  ///< [m] from the second body's centre to the middle
+  Six target_motion{};               ///< the motion whose normal velocities fit the targets best
+  /// [1/m²] inverse of the points' second moments: along-along, along-across, across-across
+  std::array<double, 3> inverse_moments{};
+  SixBySix inverse_mass{};                            ///< motion of a unit impulse
+  SixBySix mass{};                                    ///< its inverse, if `spans_area`
+  std::array<ContactPatchPoint, kMostPoints> points;  ///< the first `count`
+
   BodyId first_id{};                           ///< the body with the smaller id
   BodyId second_id{};                          ///< the other one
-  int first = 0;                               ///< index of the first body in this step
-  int second = 0;                              ///< index of the second body in this step
   AxisIndex axis = kNoAxis;                    ///< separating axis to try first in the next step
-  bool solved_directly = false;                ///< by the direct solver, in the last step
   std::uint64_t stamp = 0;                     ///< changes each time that the patch is built
-  double size = 0.0;                           ///< [m] shortest edge of the movable bodies
-  double friction = 0.0;                       ///< [-] coefficient of the pair
   double restitution = 0.0;                    ///< [-] of the pair
-  Mat3 frame_w = Mat3::Identity();             ///< [-] columns: first tangent, second, normal
-  Vec3 first_arm_w = Vec3::Zero();             ///< [m] from the first body's centre to the middle
-  Vec3 second_arm_w = Vec3::Zero();            ///< [m] from the second body's centre to the middle
+  double carried_impulse = 0.0;                ///< [N s] along the normal, from the step before
   std::array<Vec3, 2> built_position_w;        ///< [m] of both bodies when the patch was built
   std::array<Quat, 2> built_orientation_wb;    ///< [-] of both bodies then
   std::array<double, 2> built_inverse_mass{};  ///< [1/kg] of both bodies then; 0 for sleeping ones
   double built_reach = 0.0;                    ///< [m] points with a larger gap were left out
   Vec3 flat_w = Vec3::Zero();  ///< [-] direction in which a grazed edge has no height, else 0
-  int count = 0;               ///< points in use
-  std::array<ContactPatchPoint, kMostPoints> points;  ///< the first `count`
-  double along_impulse = 0.0;                         ///< [N s] friction along the first tangent
-  double across_impulse = 0.0;                        ///< [N s] friction along the second tangent
-  double twist_impulse = 0.0;          ///< [N m s] friction about the normal at the middle
-  SixBySix inverse_mass{};             ///< motion of a unit impulse
-  SixBySix mass{};                     ///< its inverse, if `spans_area`
-  SixBySix correction_inverse_mass{};  ///< motion of a unit pseudo-impulse, see begin_correction()
-  /// [1/m²] inverse of the points' second moments: along-along, along-across, across-across
-  std::array<double, 3> inverse_moments{};
-  bool spans_area = false;      ///< three points or more that are not on a line
-  bool targets_planar = false;  ///< one motion, `target_motion`, meets the targets of all points
-  Six target_motion{};          ///< the motion whose normal velocities fit the targets best
 
   /// The points in use.
   /// \return `count` of them
@@ -106,6 +107,14 @@ struct ContactPatch {
 /// \return [m] world frame
 Vec3 position_of(const ContactPatch& patch, const MovingBody& first,
                  const ContactPatchPoint& point);
+
+/// The motion of a patch for a unit impulse.
+/// \param patch   its frame and middle
+/// \param first   the inverse mass of the first body
+/// \param second  the same of the second one
+/// \return [1/kg] and the like, in the patch's frame
+[[nodiscard]] SixBySix inverse_mass_of(const ContactPatch& patch, const MovingBody& first,
+                                       const MovingBody& second);
 
 /// Builds a patch from a manifold.
 ///
@@ -180,12 +189,6 @@ void set_targets(double slop, double dt, ContactPatch& patch);
 /// \param patch   after set_targets(); targets and targets_planar in and out
 void correct_targets_for_rotation(const MovingBody& first, const MovingBody& second, double dt,
                                   ContactPatch& patch);
-
-/// Prepares a patch for the overlap correction: no pseudo-impulses yet, and its inverse mass for them.
-/// \param first   displacement of the first body, with the inverse mass to use
-/// \param second  the same of the second body
-/// \param patch   `correction` of its points and `correction_inverse_mass` are overwritten
-void begin_correction(const MovingBody& first, const MovingBody& second, ContactPatch& patch);
 
 /// The relative motion of a patch's bodies.
 /// \param patch   the patch

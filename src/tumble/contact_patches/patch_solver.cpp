@@ -270,14 +270,15 @@ void require_separation(double slowest, ContactPatch& patch) {
   patch.targets_planar = false;
 }
 
-double correct_overlap(ContactPatch& patch, double slop, double share, MovingBody& first,
-                       MovingBody& second) {
+double correct_overlap(const ContactPatch& patch, double slop, double share,
+                       OverlapCorrection& correction, MovingBody& first, MovingBody& second) {
   PatchUpdate update;
   update.motion = motion_of(patch, first, second);
-  for (ContactPatchPoint& p : patch.used()) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
+    const ContactPatchPoint& p = patch.points[i];
     const double excess = -p.gap - slop;  // overlap to be corrected; below 0 it may sink by as much
-    solve_point(p, excess > 0.0 ? share * excess : excess, patch.correction_inverse_mass,
-                p.correction, update);
+    solve_point(p, excess > 0.0 ? share * excess : excess, correction.inverse_mass,
+                correction.pushes[i], update);
   }
   if (update.largest_change > 0.0) apply(update.change, patch, first, second);
   return update.largest_change;

@@ -50,15 +50,22 @@ double solve_patch(ContactPatch& patch, MovingBody& first, MovingBody& second, i
 /// \param patch    targets in and out
 void require_separation(double slowest, ContactPatch& patch);
 
-/// Corrects a share of the overlap of a patch by displacing its bodies. Displacements are found like
-/// velocities from impulses ("pseudo-impulses"), so a body's "velocity" is its displacement in this step.
-/// \param patch   after begin_correction(); `correction` of its points in and out
-/// \param slop    [m] overlap that is left
-/// \param share   [-] of the overlap beyond it that is corrected, 0 to 1
-/// \param first   displacement of the first body; changed
-/// \param second  displacement of the second body; changed
+/// The overlap correction of a patch: displacements are found like velocities from impulses ("pseudo-impulses").
+struct OverlapCorrection {
+  SixBySix inverse_mass{};  ///< motion of a unit pseudo-impulse
+  std::array<double, ContactPatch::kMostPoints>
+      pushes{};  ///< [m kg] of its points so far, at least 0
+};
+
+/// Corrects a share of the overlap of a patch by displacing its bodies, whose "velocities" are their displacements.
+/// \param patch       the patch
+/// \param slop        [m] overlap that is left
+/// \param share       [-] of the overlap beyond it that is corrected, 0 to 1
+/// \param correction  pushes in and out
+/// \param first       displacement of the first body; changed
+/// \param second      displacement of the second body; changed
 /// \return [m] the largest change of a displacement
-double correct_overlap(ContactPatch& patch, double slop, double share, MovingBody& first,
-                       MovingBody& second);
+double correct_overlap(const ContactPatch& patch, double slop, double share,
+                       OverlapCorrection& correction, MovingBody& first, MovingBody& second);
 
 }  // namespace tumble

@@ -40,7 +40,7 @@ void World::join(JointKind kind, BodyId first, BodyId second, const Vec3& anchor
   require::finite(axis_w, "axis_w");
   const bool turns = kind == JointKind::hinge;
   require::that(axis_w.isZero(0.0) != turns,
-                turns ? "axis_w is 0: expected the direction about which the hinge turns"
+                turns ? "axis_w is 0: expected the direction of the hinge's axis"
                       : "axis_w is given: expected 0, as a " + std::string(name_of(kind)) +
                             " joint has no axis");
   require::that(first != second, "a joint of a body with itself: expected two bodies");
@@ -80,7 +80,7 @@ void require_joints_held(const Technique& technique, const World& world) {
   if (world.joints().empty() || technique.holds_joints()) return;
   const std::size_t count = world.joints().size();
   require::that(false, "technique " + std::string(technique.name()) +
-                           " knows no joints, and the scene has " + std::to_string(count) +
+                           " does not support joints, and the scene has " + std::to_string(count) +
                            ", the first called " + world.joints().front().name +
                            ": choose glued (--technique glued), or leave out [[joint]]");
 }

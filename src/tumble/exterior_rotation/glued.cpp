@@ -65,8 +65,9 @@ Glued::Glued(const GluedOptions& options) : options_(options) {
   require::that(options.scheme == GluedScheme::rk4 || options.scheme == GluedScheme::midpoint,
                 "contacts = collide: expected scheme = rk4 or midpoint, not " +
                     std::string(name_of(options.scheme)));
-  require::that(options.joints == GluedJoints::bilateral,
-                "contacts = collide: expected joints = bilateral, as bodies that meet part anyway");
+  require::that(
+      options.joints == GluedJoints::bilateral,
+      "contacts = collide: expected joints = bilateral, since colliding bodies separate anyway");
 }
 
 std::unique_ptr<Technique> Glued::clone() const { return std::make_unique<Glued>(*this); }

@@ -82,11 +82,10 @@ void describe(GluedOptions& o, Visitor& v) {
   v.word("events", o.events,
          {{"located", GluedEvents::located}, {"step_end", GluedEvents::step_end}},
          "joints=unilateral: time at which joints open or close");
-  v.word(
-      "contacts", o.contacts,
-      {{"stick", GluedContacts::stick}, {"collide", GluedContacts::collide}},
-      "bodies that touch at the start stick, and others pass; or all collide, and only [[joint]] "
-      "holds (thesis 2.6.5)");
+  v.word("contacts", o.contacts,
+         {{"stick", GluedContacts::stick}, {"collide", GluedContacts::collide}},
+         "bodies that touch at the start stick, others pass; or all collide, and only [[joint]] "
+         "holds (thesis 2.6.5)");
   v.number("accuracy", o.accuracy, tolerance::least_rotation_accuracy, 1.0, "-",
            "scheme=dormand_prince: error allowed in a step, in edges and radians");
 }

@@ -67,7 +67,7 @@ void describe(ImpulseOptions& o, Visitor& v) {
        {"shock", LevelRestitution::shock},
        {"rising", LevelRestitution::rising}},
       "restitution in the sweeps over a level: that of the pass as in the paper, rising to it in "
-      "shock propagation, or in all passes, so that two supports brake together");
+      "shock propagation, or in all passes, so that two supports share the impulse");
   v.word("points", o.points, {{"area", ImpulsePoints::area}, {"one", ImpulsePoints::one}},
          "contact points: the whole contact area, or its centre");
   v.whole("collision_passes", o.collision_passes, 1, 1000, "passes over colliding pairs");

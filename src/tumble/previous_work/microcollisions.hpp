@@ -23,7 +23,7 @@ struct MicrocollisionsOptions {
   /// [-] slowest rebound, as a share of sqrt(g L); 0: slow impacts are like others, and a bouncing body meets the cap
   double rebound = tolerance::microcollision;
   ImpactEnd end = ImpactEnd::work;  ///< what restitution means
-  int event_cap = 2000;  ///< impacts, and looks at contacts without one, in a step at most
+  int event_cap = 2000;  ///< largest number of impacts and of tests without impact in a step
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn in flight
   /// By which bodies near each other are found where a step begins; see make_broad_phase(). It changes no bit of a result
   std::string_view broad_phase = "bounding_tree";
@@ -35,16 +35,16 @@ struct MicrocollisionsOptions {
 template <class Visitor>
 void describe(MicrocollisionsOptions& o, Visitor& v) {
   v.number("rebound", o.rebound, 0.0, 1.0, "-",
-           "slowest rebound, as a share of the speed scale sqrt(g L)");
+           "slowest rebound, as a fraction of the speed sqrt(g L)");
   v.word("impact_end", o.end, {{"work", ImpactEnd::work}, {"impulse", ImpactEnd::impulse}},
-         "what restitution gives back: a share of the work (Stronge) or of the impulse (Poisson)");
+         "restitution returns a fraction of the work (Stronge) or of the impulse (Poisson)");
   v.whole("event_cap", o.event_cap, 1, 10000000,
-          "impacts, and looks at contacts without one, in a step at most");
+          "largest number of impacts and of tests without impact in a step");
   v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);
   std::vector<Word<std::string_view>> broad_phases;
   for (const std::string_view name : broad_phase_names()) broad_phases.push_back({name, name});
   v.word("broad_phase", o.broad_phase, broad_phases,
-         "how bodies near each other are found (thesis 4.1); changes the work and no result");
+         "how near bodies are found (thesis 4.1); changes the work, not the result");
 }
 
 /// All contact is a train of collisions: bodies fly, collide at one point, and fly on.

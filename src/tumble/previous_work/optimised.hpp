@@ -19,10 +19,10 @@ namespace tumble {
 
 /// Options of animation by optimisation.
 struct OptimisedOptions {
-  double reach = 0.25;  ///< [-] how far a body moves in a round at most, over the shortest edge
-  int rounds = 100;     ///< quadratic programs for the poses of a step, at most
-  int budget = 200;     ///< steps of the iteration of a quadratic program
-  StickyOptions sticky = {};                        ///< which impacts do not bounce
+  double reach = 0.25;        ///< [-] largest movement of a body in a round, over the shortest edge
+  int rounds = 100;           ///< quadratic programs for the poses of a step, at most
+  int budget = 200;           ///< steps of the iteration of a quadratic program
+  StickyOptions sticky = {};  ///< which impacts do not bounce
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn in flight
 };
 
@@ -32,7 +32,7 @@ struct OptimisedOptions {
 template <class Visitor>
 void describe(OptimisedOptions& o, Visitor& v) {
   v.number("reach", o.reach, 0.01, 1.0, "-",
-           "how far a body moves in a round at most, over the shortest edge");
+           "largest movement of a body in a round, over the shortest edge");
   v.whole("rounds", o.rounds, 1, 100000, "quadratic programs for the poses of a step, at most");
   v.whole("budget", o.budget, 1, 1000000, "steps of the iteration of a quadratic program");
   v.word("sticky", o.sticky.rule,

@@ -37,13 +37,13 @@ void describe(PenaltyOptions& o, Visitor& v) {
   v.number("stiffness", o.stiffness, 0.0, 1e20, "N/m",
            "springs under a box on four corners; 0: from mass, size and step");
   v.number("damping", o.damping, -1.0, 1e3, "-",
-           "share of critical damping; -1: the one that gives the bodies' restitution");
+           "fraction of critical damping; -1: from the bodies' restitution");
   v.whole("substeps", o.substeps, 1, 100000, "substeps of a step");
   v.word("scheme", o.scheme,
          {{"semi_implicit", PenaltyScheme::semi_implicit},
           {"explicit", PenaltyScheme::explicit_euler}},
          "bodies move with the new velocities, or with the old ones");
-  v.flag("pull", o.pull, "dampers may pull bodies together that part, as in the textbook's law");
+  v.flag("pull", o.pull, "dampers may also pull separating bodies, as in the textbook law");
   v.word("unstable", o.unstable, {{"refused", false}, {"simulated", true}},
          "a step that is too long for the springs of one box");
   v.word("rotation", o.rotation, words_of(rotation_rules()), kRotationMeaning);

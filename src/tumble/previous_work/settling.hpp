@@ -16,7 +16,7 @@ namespace tumble {
 
 /// Options of settling.
 struct SettlingOptions {
-  double reach = 0.1;  ///< [-] how far a body moves in a step at most, over the shortest edge
+  double reach = 0.1;  ///< [-] largest movement of a body in a step, over the shortest edge
   int budget = 2000;   ///< steps of the iteration of a quadratic program
 };
 
@@ -26,7 +26,7 @@ struct SettlingOptions {
 template <class Visitor>
 void describe(SettlingOptions& o, Visitor& v) {
   v.number("reach", o.reach, 0.01, 1.0, "-",
-           "how far a body moves in a step at most, over the shortest edge");
+           "largest movement of a body in a step, over the shortest edge");
   v.whole("budget", o.budget, 1, 1000000, "steps of the iteration of a quadratic program");
 }
 

@@ -105,7 +105,7 @@ void TurnCheck::on_step(const World& world, const StepReport& /*report*/) {
     const double turn = dt * angular_velocity(world.bodies()[k], world.states()[k]).norm();
     if (!(turn > tolerance::most_turn)) continue;
     find(world,
-         world.name(static_cast<int>(k)) + " turns by " + rounded_text(turn, 3) +
+         world.name(static_cast<int>(k)) + " rotates by " + rounded_text(turn, 3) +
              " rad in a step, and above 1 rad not every technique finds its contacts and keeps its "
              "energy: --dt " +
              rounded_text(0.5 * dt / turn, 2) + " is small enough");

@@ -90,7 +90,7 @@ std::string conflict(const Wish& a, const Wish& b, const SceneBox& box) {
     return box.name + " begins " + shortest_text(way_to_region(a, box)) +
            " m from the region and may move by " + shortest_text(distance_of(b, box)) + " m";
   if (a.kind == topples && b.kind == stands && a.angle_deg >= b.angle_deg)
-    return box.name + " cannot turn by " + shortest_text(a.angle_deg) +
+    return box.name + " cannot rotate by " + shortest_text(a.angle_deg) +
            " degrees and by less than " + shortest_text(b.angle_deg);
   if (a.kind == moves && b.kind == stays && distance_of(a, box) > distance_of(b, box))
     return box.name + " cannot move by " + shortest_text(distance_of(a, box)) +

@@ -11,14 +11,14 @@
 
 namespace tumble {
 
-/// A scene that a user can name.
+/// A built-in scene.
 struct SceneRecipe {
-  std::string_view name;     ///< what a user calls it
+  std::string_view name;     ///< its name in commands
   std::string_view section;  ///< thesis sections that it belongs to
   std::string_view summary;  ///< one line
   /// Declares its parameters with their defaults.
   Parameters (*parameters)();
-  /// Builds it; `random` is used by scenes with chance in them and by no others.
+  /// Builds it; `random` is used only by scenes with randomness.
   Scene (*build)(const Parameters& parameters, Random random);
 };
 

@@ -63,7 +63,7 @@ class TextCheck {
       if (in_number) refuse("a number has a quote in it");
       to_end_of_string(c);
     } else if (is_not_ascii()) {
-      refuse("a letter that is not ASCII stands outside of quotes");
+      refuse("a character that is not ASCII outside of quotes");
     } else if (c == '.') {
       if (++dots_ > most_dots) refuse("a key has more than " + std::to_string(most_dots) + " dots");
     } else if (c == '\n' || c == '=' || c == ',' || c == '{') {

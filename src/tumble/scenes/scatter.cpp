@@ -39,7 +39,7 @@ double lowered(Box box, const std::vector<Box>& before, const std::vector<Bounds
 void add_scatter(Parameters& p) {
   p.add_number("scatter", 0.0, 0.0, 0.1, "m", "how far each box is off its place, along each axis");
   p.add_number("scatter_angle", 0.0, 0.0, 10.0, "deg",
-               "how far each box is turned, about any axis");
+               "largest rotation of each box, about any axis");
 }
 
 void scatter(const Parameters& p, const Random& random, Scene& scene) {

@@ -28,7 +28,7 @@ struct SceneBox {
   double friction = 0.5;                   ///< [-] Coulomb's coefficient
   double restitution = 0.0;                ///< [-] 0 sticks, 1 bounces back
   double appears = 0.0;                    ///< [s] when it enters the scene, 0: at the start
-  /// [s] when it is taken away, later than it appears; infinity: never
+  /// [s] when it is removed, later than it appears; infinity: never
   double disappears = std::numeric_limits<double>::infinity();
 };
 
@@ -44,7 +44,7 @@ struct Scene {
   Vec3 gravity_w = Vec3(0.0, -9.81, 0.0);  ///< [m/s²]
   std::optional<SceneGround> ground = {};  ///< none: bodies may fall for ever
   std::vector<SceneBox> boxes = {};        ///< in the order in which they get their ids
-  std::vector<Wish> wishes = {};           ///< about its end; a run does without
+  std::vector<Wish> wishes = {};           ///< about its end; only for sampling
   std::vector<SceneJoint> joints = {};     ///< between boxes, or a box and the ground
 };
 
@@ -54,7 +54,7 @@ struct Scene {
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties properties_of(const SceneBox& box);
 
-/// A mistake in a scene. It has the place in the scene, from which a reader of files finds the line.
+/// A mistake in a scene. It names its position in the scene, from which a reader of files finds the line.
 class SceneMistake : public std::invalid_argument {
  public:
   /// Makes the exception.
@@ -112,7 +112,7 @@ Scene checked(Scene scene);
 /// \throws SceneMistake as start_world() does
 World build_world(const Scene& scene);
 
-/// Adds a box in its state of appearance.
+/// Adds a box in its initial state.
 /// \param box    of a scene that is checked
 /// \param world  gets it
 /// \throws std::invalid_argument as World::add(), so if its name is taken by now

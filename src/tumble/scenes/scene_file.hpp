@@ -12,7 +12,7 @@ namespace tumble {
 
 /// Reads a scene from the text of a TOML file.
 ///
-/// Every key of the format is read or refused: a misspelt key is a mistake, never ignored.
+/// A misspelt key is an error; no key is ignored.
 /// \param text  the file's content
 /// \param file  its name, for messages
 /// \return the scene, checked

@@ -77,7 +77,7 @@ void join_bodies(Scene& scene, World& world) {
     place.require_limited("axis", joint.axis_w);
     const bool hinge = joint.kind == JointKind::hinge;
     if (hinge && joint.axis_w.isZero(0.0))
-      place.refuse("axis", ": missing or 0: a hinge needs the direction about which it turns");
+      place.refuse("axis", ": missing or 0: a hinge needs the direction of its axis");
     if (!hinge && !joint.axis_w.isZero(0.0))
       place.refuse("axis", ": a " + std::string(name_of(joint.kind)) +
                                " joint has none: leave it out, or write kind = \"hinge\"");

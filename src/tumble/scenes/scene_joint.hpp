@@ -13,14 +13,14 @@ struct Scene;
 /// One joint of a scene; the fields are the keys of scene files.
 struct SceneJoint {
   std::string name = {};             ///< unique among joints; empty: "joint" and its place from 1
-  JointKind kind = JointKind::ball;  ///< what it leaves free
-  std::string first = {};            ///< a box that is there from the start, or "ground": the world
+  JointKind kind = JointKind::ball;  ///< its free motions
+  std::string first = {};            ///< a box that is present at the start, or "ground": the world
   std::string second = {};           ///< another one
   Vec3 anchor_w = Vec3::Zero();      ///< [m] the joint's point, at the start
   Vec3 axis_w = Vec3::Zero();        ///< [-] of a hinge, at the start, of any length above 0
 };
 
-/// Joins the bodies of a world as its scene asks for.
+/// Joins the bodies of a world as in its scene.
 /// \param scene  each box has its name
 /// \param world  of that scene at time 0; gets the joints
 /// \throws SceneMistake naming the first value that is wrong: a body that is missing, comes later or is named twice, two

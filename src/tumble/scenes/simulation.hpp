@@ -25,7 +25,7 @@ void require_time_step(double dt);
 ///
 /// A box that appears or disappears later does so before the first step that begins at its time or after it. A program
 /// can add and remove boxes as well, by throw_in() and take_away(): these are written into the scene with their time, so
-/// that scene() simulated anew with the same technique and the same steps gives the same bits.
+/// that simulating scene() again with the same technique and the same steps gives the same bits.
 /// \verified{What was thrown and taken away is repeated by a run of the scene that is left}
 class Simulation {
  public:
@@ -45,7 +45,7 @@ class Simulation {
   explicit Simulation(Scene scene, std::string_view technique = kDefaultTechnique,
                       const std::vector<std::string>& settings = {}, std::uint64_t seed = 1);
 
-  /// Begins at time 0 with a technique that belongs to the caller.
+  /// Begins at time 0 with a technique that the caller owns.
   /// \param scene      the start
   /// \param technique  no step done yet; has to live as long as the simulation
   /// \throws SceneMistake as checked() does
@@ -64,7 +64,7 @@ class Simulation {
   /// Simulates one step: update_boxes(), then the technique's step.
   /// \param dt [s] as require_time_step() takes it
   /// \return the technique's report, with StepStatus::not_finite if a state is not finite after it
-  /// \throws std::invalid_argument for another dt, or joints that the technique does not hold
+  /// \throws std::invalid_argument for another dt, or joints that the technique does not support
   /// \throws StepRefused if the technique refuses the world or the step
   /// \throws StepFault if a part of the step fails, for example because a state has become infinite; bodies may have
   ///         moved by then
@@ -95,7 +95,7 @@ class Simulation {
   /// \throws std::invalid_argument if there is no such body, with the closest name
   [[nodiscard]] BodyView body(std::string_view name) const { return world_.body(name); }
 
-  /// The scene that leads here if it is simulated anew.
+  /// The scene which, simulated from its start, leads to the present state.
   /// \return the start, with the boxes that were added and removed since
   [[nodiscard]] const Scene& scene() const { return scene_; }
   /// \return all bodies as they are now

@@ -83,7 +83,7 @@ Parameters fig5_1_parameters() {
 // at 0.475, and C meets D at 0.553, which is before D is at E.
 Scene fig5_1(const Parameters& p, Random) {
   Scene scene;
-  scene.title = "five cubes on a line, and the order in which they meet (figure 5.1)";
+  scene.title = "five cubes on a line, and the order in which they collide (figure 5.1)";
   scene.gravity_w = Vec3::Zero();
   const double size = p.number("size");
   double x = 0.0;

@@ -109,7 +109,7 @@ Parameters fig6_3_parameters() {
 // moves.
 Scene fig6_3(const Parameters& p, Random) {
   Scene scene;
-  scene.title = "a box turns on a box that turns (figure 6.3)";
+  scene.title = "a box rotates on a box that rotates (figure 6.3)";
   add_larger(p, scene);
   const Turning lower{Vec3(0.0, kTop, 0.0), Vec3::Zero(), p.number("lower_angle"),
                       p.number("lower_spin")};
@@ -129,8 +129,8 @@ void add_turning(std::vector<SceneRecipe>& list) {
                   fig6_1_parameters, fig6_1});
   list.push_back(
       {"fig6_2", "6.2", "figure 6.2: one box falls over an edge", fig6_2_parameters, fig6_2});
-  list.push_back(
-      {"fig6_3", "6.2", "figure 6.3: a box turns on a box that turns", fig6_3_parameters, fig6_3});
+  list.push_back({"fig6_3", "6.2", "figure 6.3: a box rotates on a box that rotates",
+                  fig6_3_parameters, fig6_3});
 }
 
 }  // namespace tumble::recipes

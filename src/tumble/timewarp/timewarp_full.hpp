@@ -42,7 +42,7 @@ void describe(TimewarpFullOptions& o, Visitor& v) {
            "steps that a body flies at a time; 0: to the end of the step or the next "
            "synchronisation");
   v.whole("synchronise_every", o.synchronise_every, 0, 1000000,
-          "frames from one synchronisation of all bodies to the next; 0: never");
+          "frames between two synchronisations of all bodies; 0: never");
 }
 
 /// Rollbacks of a full timewarp, in all steps so far.
