@@ -7,6 +7,7 @@
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/geometry/separation.hpp"
 #include "tumble/record/overlap.hpp"
+#include "tumble/record/passage_check.hpp"
 #include "tumble/record/run_checks.hpp"
 #include "tumble/scenes/simulation.hpp"
 

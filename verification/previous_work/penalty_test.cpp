@@ -140,6 +140,19 @@ TEST_CASE("Swings on springs decay below the stable step and grow above it", "[e
     }
 }
 
+TEST_CASE("Penalty forces say which restitution they cannot give", "[unit][penalty]") {
+  const std::string none = "a restitution of 0: contacts keep 0.14 of the approach";
+  CHECK(Penalty().ignores(cube_above(1.0, 0.0, 9.81)) == std::vector<std::string>{none});
+  CHECK(Penalty().ignores(cube_above(1.0, 0.0, 9.81, 0.5)).empty());
+  PenaltyOptions pulls;
+  pulls.pull = true;
+  CHECK(Penalty(pulls).ignores(cube_above(1.0, 0.0, 9.81)).empty());
+  PenaltyOptions undamped;
+  undamped.damping = 0.0;
+  CHECK(Penalty(undamped).ignores(cube_above(1.0, 0.0, 9.81, 0.5)) ==
+        std::vector<std::string>{"a restitution of 0.5: contacts keep 1 of the approach"});
+}
+
 TEST_CASE("On their default springs boxes bounce with their restitution", "[exact][penalty]") {
   for (const double e : {0.2, 0.5, 0.9}) {
     INFO(e);

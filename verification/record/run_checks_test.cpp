@@ -5,8 +5,11 @@
 #include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/energy.hpp"
+#include "tumble/record/hit_check.hpp"
+#include "tumble/record/passage_check.hpp"
 #include "tumble/record/run.hpp"
 #include "tumble/scenes/simulation.hpp"
+#include "tumble/techniques.hpp"
 
 #include "support/catch.hpp"
 
@@ -33,6 +36,22 @@ class Ghosts : public Technique {
   }
   [[nodiscard]] std::unique_ptr<Technique> clone() const override {
     return std::make_unique<Ghosts>(*this);
+  }
+};
+
+// The same, but spins turn back at four fifths of each step.
+class TurningBack : public Ghosts {
+ public:
+  StepReport step(World& world, double dt) override {
+    for (const double part : {0.8, 0.2}) {
+      for (std::size_t k = 0; k < world.states().size(); ++k) {
+        BodyState& state = world.states()[k];
+        if (part < 0.5) state.angular_momentum_w *= -1.0;
+        advance_pose(world.bodies()[k], state, part * dt, RotationRule::splitting);
+      }
+    }
+    world.finish_step(dt);
+    return {};
   }
 };
 
@@ -108,9 +127,11 @@ TEST_CASE("A body that goes through another one within a step is found", "[unit]
     CHECK(ran(two(Vec3(0.0, 1.0, 0.0), fast, Vec3::Zero())).worst == StepStatus::done);
     CHECK(ran(two(Vec3(0.0, 0.95, 0.0), fast, fast)).worst == StepStatus::done);
   }
-  SECTION("a body that turns so far that it may have passed is none") {
+  SECTION("those of a body that turns are looked at as it turns") {
     Scene scene = two(Vec3(0.0, 0.75, 0.3), fast, Vec3::Zero());
     scene.boxes[0].angular_velocity_w = Vec3(0.0, 9.0, 0.0);
+    CHECK(ran(scene).worst == StepStatus::passed_through);
+    scene.boxes[1].position_w.y() = 0.95;
     CHECK(ran(scene).worst == StepStatus::done);
   }
 }
@@ -156,6 +177,82 @@ TEST_CASE("A body that spins through a thin one within a step is found", "[unit]
     scene.boxes[0].angular_velocity_w = Vec3(0.0, spin, 0.0);
     CAPTURE(spin);
     CHECK(ran(scene).worst == StepStatus::passed_through);
+  }
+}
+
+// A rod of 4 m that turns about its middle, and a cube of 0.3 m in the way of its end.
+Scene rotor(double spin) {
+  Scene scene;
+  scene.gravity_w.setZero();
+  scene.boxes = {cube("rotor", Vec3::Zero(), Vec3::Zero()),
+                 cube("cube", Vec3(1.6, 0.0, -1.0), Vec3::Zero())};
+  scene.boxes[0].size = Vec3(4.0, 0.2, 0.2);
+  scene.boxes[0].angular_velocity_w = Vec3(0.0, spin, 0.0);
+  scene.boxes[1].size.setConstant(0.3);
+  return scene;
+}
+
+TEST_CASE("A body that turns through another one within a step is found", "[unit][record][run]") {
+  // 0.56 rad away. The first of these is beyond it in one step, the last after a turn and more.
+  for (const double spin : {11.0, 20.0, 75.0}) {
+    CAPTURE(spin);
+    const RunResult through = ran(rotor(spin));
+    CHECK(through.worst == StepStatus::passed_through);
+    REQUIRE(!through.findings.empty());
+    CHECK(through.findings[0].find("step 1 at 0.1 s: rotor went through cube") == 0);
+  }
+  SECTION("the end of a rod that passes beside it does not") {
+    Scene beside = rotor(11.0);
+    beside.boxes[1].position_w.y() = 0.24;  // of 0.25
+    CHECK(ran(beside).worst == StepStatus::done);
+    beside.boxes[1].position_w = Vec3(1.8, 0.0, -1.2);
+    CHECK(ran(beside).worst == StepStatus::done);
+  }
+  SECTION("a body whose spin has changed may have turned back") {
+    TurningBack turning_back;
+    RunSettings settings;
+    settings.dt = 0.1;
+    settings.duration = 0.1;
+    const auto worst = [&](double spin) {
+      return run_scene(rotor(spin), turning_back, settings, {}).worst;
+    };
+    CHECK(worst(6.0) == StepStatus::done);   // to 0.48 rad and back to 0.36
+    CHECK(worst(15.0) == StepStatus::done);  // through it to 1.2 rad and back to 0.9: not known
+  }
+}
+
+TEST_CASE("Faure's method lets a rotor through a block, and a run says so",
+          "[unit][record][run][faure]") {
+  RunSettings settings;
+  settings.duration = 0.5;
+  const auto worst = [&](std::string_view technique) {
+    return run_scene(rotor(60.0), *make_technique(technique), settings, {}).worst;
+  };
+  CHECK(worst("faure") == StepStatus::passed_through);
+  for (const std::string_view technique : {"contact_damped", "time_stepping", "analytic"}) {
+    CAPTURE(technique);
+    CHECK(worst(technique) == StepStatus::done);
+  }
+}
+
+TEST_CASE("A body that is stopped far from what stops it is found", "[unit][record][run]") {
+  Scene scene;
+  scene.ground = SceneGround{};
+  scene.boxes = {cube("cube", Vec3(0.0, 100.0, 0.0), Vec3(0.0, -1000.0, 0.0))};
+  RunSettings settings;
+  settings.duration = 0.2;
+  for (const std::string_view technique : {"impulse", "damped"}) {
+    CAPTURE(technique);
+    const RunResult away = run_scene(scene, *make_technique(technique), settings, {});
+    CHECK(away.worst == StepStatus::held_by_nothing);
+    REQUIRE(away.findings.size() == 1);
+    CHECK(away.findings[0].find("step 6 at 0.1 s: cube was hit 16") == 0);
+  }
+  for (const std::string_view technique :
+       {"contact_damped", "time_stepping", "analytic", "timewarp_swept", "timewarp_full",
+        "optimised", "microcollisions"}) {
+    CAPTURE(technique);
+    CHECK(run_scene(scene, *make_technique(technique), settings, {}).worst == StepStatus::done);
   }
 }
 

@@ -21,7 +21,7 @@ enum class StepStatus : std::uint8_t {
   event_cap,  ///< the cap on events was reached, and the rest of the step ignored collisions
   energy_gained,  ///< the total energy is above that at the start; set by run_simulation(), see EnergyCheck
   passed_through,  ///< a body passed through another one; set by run_simulation(), see PassageCheck
-  held_by_nothing,  ///< a body hung in the air; set by run_simulation(), see HangCheck
+  held_by_nothing,  ///< a body hung in the air; set by run_simulation(), see HangCheck and HitCheck
   unsolved,         ///< a solver found no solution
   not_finite        ///< a state became infinite or NaN
 };

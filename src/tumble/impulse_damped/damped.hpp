@@ -93,6 +93,9 @@ void describe(DampedOptions& o, Visitor& v) {
 /// gravity of the step, and pushes lift bodies. Pushes, damping and impulses are booked; the error is that of the
 /// semi-implicit rule for bodies in flight, and that of rotation.
 ///
+/// **Fast bodies** stop where the step began, as with Impulse; from half their shortest edge on a run reports it (HitCheck).
+/// One point of a face that lands flat stops the body, which turns it.
+///
 /// **Large turns.** A step in which a body turns by more than a radian is divided (parts_of_turn()).
 ///
 /// **Repairs of the listing** are described at its parts; these are in the step itself: the damping depends on dt. A body

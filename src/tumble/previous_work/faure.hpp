@@ -57,7 +57,8 @@ void describe(FaureOptions& o, Visitor& v) {
 /// **What it cannot do.** With a small budget and without the impulses of the step before ten boxes tremble, by a millimetre with
 /// ten steps; warm starts hide that as long as a pile stands. Where bounces at several points or with friction would add
 /// energy, nothing bounces in that step (`fallbacks`). Points are looked for
-/// within half of the shortest edge, so a fast body may pass through a thin one.
+/// within half of the shortest edge, so a fast body may pass through a thin one, and a long one that
+/// turns by radians in a step through anything, which a run reports (PassageCheck).
 /// \par Cost and determinism
 /// O(points) for each step of the iteration. No allocation once warm.
 /// \see Faure, "An energy-based approach for contact force computation", Computer Graphics Forum 15(3), 1996.

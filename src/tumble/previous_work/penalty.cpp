@@ -53,6 +53,20 @@ Penalty::Penalty(const PenaltyOptions& options) : options_(options) {
 
 std::unique_ptr<Technique> Penalty::clone() const { return std::make_unique<Penalty>(*this); }
 
+std::vector<std::string> Penalty::ignores(const World& world) const {
+  std::vector<double> all;
+  for (const BodyProperties& body : world.bodies()) all.push_back(body.restitution);
+  std::sort(all.begin(), all.end());
+  // Each but the smallest is the larger one of some pair.
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const double kept = penalty_restitution(damping_of(all[k]), options_.pull);
+    if (std::abs(kept - all[k]) <= tolerance::penalty_bounce) continue;
+    return {"a restitution of " + shortest_text(all[k]) + ": contacts keep " +
+            rounded_text(kept, 2) + " of the approach"};
+  }
+  return {};
+}
+
 StepReport Penalty::step(World& world, double dt) {
   require::positive(dt, "dt");
   if (!options_.unstable) require_stable(world, dt / options_.substeps);

@@ -12,6 +12,7 @@
 #include "tumble/previous_work/penalty_law.hpp"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace tumble {
@@ -65,7 +66,7 @@ void describe(PenaltyOptions& o, Visitor& v) {
 /// **A stiffness of one's own** is refused if one box on four corners is already unstable with it, and the message names the
 /// step that is not too long. More boxes may need a shorter one.
 ///
-/// **What it cannot do.** Overlap causes the push: depth grows with the load, so ten boxes sink in ten times as far
+/// **What it cannot do.** What should not bounce keeps a seventh of its speed, as a run notes (ignores()). Overlap causes the push: depth grows with the load, so ten boxes sink in ten times as far
 /// as one, and a load of a hundred times the mass presses the lower box flat. Friction creeps on slopes. A body that is faster than
 /// its own thickness in a substep, or has more energy than the spring can take up before it is half
 /// through, comes out on the other side.
@@ -86,6 +87,7 @@ class Penalty : public Technique {
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
+  [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
 
  private:
   // Spring and damper of a point.

@@ -27,6 +27,9 @@ inline constexpr double penalty_friction = 0.5;
 /// it loses some in each swing. (2.5.1)
 inline constexpr double penalty_explicit = 0.5;
 
+/// [-] Restitution that a contact may miss without a note. Reason: the step misses that of the springs' law by as much. (2.5.1)
+inline constexpr double penalty_bounce = 0.01;
+
 /// [-] Residual at which Faure's iteration is done. Reason: the same as of Gauss-Seidel sweeps, with which it is
 /// compared. (2.6.4)
 inline constexpr double faure_residual = 1e-9;

@@ -6,6 +6,8 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/step_report.hpp"
 #include "tumble/record/hang_check.hpp"
+#include "tumble/record/hit_check.hpp"
+#include "tumble/record/passage_check.hpp"
 #include "tumble/record/run_checks.hpp"
 #include "tumble/record/tolerances.hpp"
 
@@ -55,10 +57,11 @@ class RunChecks {
  public:
   explicit RunChecks(Simulation& simulation)
       : observed_{Observation(simulation, energy_), Observation(simulation, passage_),
-                  Observation(simulation, hang_), Observation(simulation, turn_)} {}
+                  Observation(simulation, hang_), Observation(simulation, hit_),
+                  Observation(simulation, turn_)} {}
 
   [[nodiscard]] StepStatus status() const {
-    return std::max({energy_.status(), passage_.status(), hang_.status()});
+    return std::max({energy_.status(), passage_.status(), hang_.status(), hit_.status()});
   }
   void on_overlap(const World& world, double deepest) { passage_.on_overlap(world, deepest); }
   // After the last step; with nothing left in anything no pair needs to be looked at.
@@ -81,9 +84,10 @@ class RunChecks {
   EnergyCheck energy_;
   PassageCheck passage_;
   HangCheck hang_;
+  HitCheck hit_;
   TurnCheck turn_;
-  std::array<const RunCheck*, 4> unheard_{&energy_, &passage_, &hang_, &turn_};
-  std::array<Observation, 4> observed_;
+  std::array<const RunCheck*, 5> unheard_{&energy_, &passage_, &hang_, &hit_, &turn_};
+  std::array<Observation, 5> observed_;
 };
 
 // Whole steps in the duration; a remainder of next to nothing is rounding.

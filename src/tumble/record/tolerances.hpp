@@ -42,4 +42,12 @@ inline constexpr double most_turn = 1.0;
 /// that slide along each other, or touch, do not. (2.1)
 inline constexpr double core_share = 0.9;
 
+/// [-] How far a corner turns in a part of a step, as a share of the shortest edge. Reason: a fifth of what `core_share`
+/// leaves out. (2.1)
+inline constexpr double turn_in_part = 0.02;
+
+/// [-] Parts of a step in which a body turns, at most. Reason: a rod of twenty widths that turns by two radians takes as
+/// many. (2.1)
+inline constexpr int most_parts_of_way = 1000;
+
 }  // namespace tumble::tolerance
