@@ -21,12 +21,10 @@ World cubes_in_a_row(int cubes, double restitution) {
   Scene scene;
   scene.ground = SceneGround{0.0, 0.0};
   for (int k = 0; k < cubes; ++k) {
-    SceneBox box;
-    box.name = "cube" + std::to_string(k + 1);
-    box.position_w = Vec3(kSpacing * k, drop_of(k) + 0.5, 0.0);
-    box.friction = 0.0;
-    box.restitution = restitution;
-    scene.boxes.push_back(box);
+    scene.boxes.push_back({.name = "cube" + std::to_string(k + 1),
+                           .position_w = Vec3(kSpacing * k, drop_of(k) + 0.5, 0.0),
+                           .friction = 0.0,
+                           .restitution = restitution});
   }
   return build_world(scene);
 }

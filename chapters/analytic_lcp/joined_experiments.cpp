@@ -16,13 +16,11 @@ constexpr int kBounces = 6;           // of a drop from 1 m before an impact is 
 enum Body : int { bouncer = 1, slider = 2, lowest = 3, highest = 5, post = 6, count = 7 };
 
 SceneBox box_at(const Vec3& position_w, const Vec3& size, const std::string& name) {
-  SceneBox box;
-  box.name = name;
-  box.position_w = position_w;
-  box.size = size;
-  box.mass = size.prod();
-  box.friction = kFriction;
-  return box;
+  return {.name = name,
+          .size = size,
+          .mass = size.prod(),
+          .position_w = position_w,
+          .friction = kFriction};
 }
 
 // A cube in the air, one that slides, a stack of three, and a post that leans too far.

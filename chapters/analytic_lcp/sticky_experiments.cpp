@@ -21,9 +21,7 @@ World die(double height, double restitution, int seed, bool flat) {
   Random random(static_cast<std::uint64_t>(seed));
   Scene scene;
   scene.ground = SceneGround{0.5, 0.0};
-  SceneBox box;
-  box.name = "die";
-  box.restitution = restitution;
+  SceneBox box{.name = "die", .restitution = restitution};
   if (!flat) {
     box.orientation_wb = random.orientation();
     box.angular_velocity_w = random.in_cube(3.0);

@@ -131,10 +131,8 @@ inline World propped_planks(int seed) {
       right = std::max(right, corner.x());
     }
     const bool plank = box.name.starts_with("plank");
-    SceneBox stop;
-    stop.name = "stop_" + box.name;
-    stop.fixed = true;
-    stop.size = Vec3(0.2, plank ? 0.2 : 1.0, 0.5);
+    SceneBox stop{
+        .name = "stop_" + box.name, .size = Vec3(0.2, plank ? 0.2 : 1.0, 0.5), .fixed = true};
     const double x = plank ? right + kPlay + 0.1 : left - kPlay - 0.1;
     stop.position_w = Vec3(x, 0.5 * stop.size.y(), box.position_w.z());
     scene.boxes.push_back(stop);

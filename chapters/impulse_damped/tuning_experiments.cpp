@@ -21,10 +21,9 @@ Scene tuning_scene(int number) {
   scene.ground = SceneGround{0.5, 0.0};
   const int count = number == 0 ? 1 : 4 - number;
   for (int k = 0; k < count; ++k) {
-    SceneBox box;
-    box.name = "cube" + std::to_string(k + 1);
-    box.position_w = Vec3(0.0, 0.5 + k, 0.0);
-    box.friction = 0.5;
+    SceneBox box{.name = "cube" + std::to_string(k + 1),
+                 .position_w = Vec3(0.0, 0.5 + k, 0.0),
+                 .friction = 0.5};
     if (number == 2 && k == 1) box.mass = 100.0;
     scene.boxes.push_back(box);
   }

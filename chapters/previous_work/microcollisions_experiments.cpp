@@ -24,10 +24,8 @@ Scene cubes(int count, bool beside, Random random) {
     const double x = random.uniform(-kOffset, kOffset);
     const double z = random.uniform(-kOffset, kOffset);
     height = beside ? gap : height + gap;
-    SceneBox box;
-    box.position_w = Vec3(beside ? 2.0 * k : x, height + 0.5, z);
-    box.friction = kFriction;
-    scene.boxes.push_back(box);
+    scene.boxes.push_back(
+        {.position_w = Vec3(beside ? 2.0 * k : x, height + 0.5, z), .friction = kFriction});
     height += 1.0;
   }
   return scene;

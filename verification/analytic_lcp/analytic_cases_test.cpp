@@ -19,12 +19,11 @@ Scene slope(double friction) {
   scene.gravity_w = Vec3(0.0, -9.8, 0.0);
   const double angle = std::atan(0.5);
   const Quat turn = rotation_from_vector(Vec3(0.0, 0.0, -angle));
-  SceneBox plane;
-  plane.name = "slope";
-  plane.size = Vec3(120.0, 0.5, 10.0);
-  plane.fixed = true;
-  plane.orientation_wb = turn;
-  plane.friction = friction;
+  SceneBox plane{.name = "slope",
+                 .size = Vec3(120.0, 0.5, 10.0),
+                 .fixed = true,
+                 .orientation_wb = turn,
+                 .friction = friction};
   SceneBox cube;
   cube.name = "cube";
   cube.orientation_wb = turn;
@@ -189,12 +188,10 @@ TEST_CASE("A box that passes a tile in a step is held by those that it comes to"
   // A cube on tiles a quarter wider than itself, on one of them wholly at the start: 5 m at 7 m/s.
   Scene scene;
   for (int k = 0; k < 40; ++k) {
-    SceneBox tile;
-    tile.size = Vec3(0.25, 0.1, 0.5);
-    tile.position_w = Vec3(0.25 * k, -0.05, 0.0);
-    tile.fixed = true;
-    tile.friction = 0.5;
-    scene.boxes.push_back(tile);
+    scene.boxes.push_back({.size = Vec3(0.25, 0.1, 0.5),
+                           .fixed = true,
+                           .position_w = Vec3(0.25 * k, -0.05, 0.0),
+                           .friction = 0.5});
   }
   SceneBox cube;
   cube.size.setConstant(0.2);
@@ -213,16 +210,14 @@ namespace {
 Scene brick_over_plate() {
   Scene scene;
   scene.gravity_w = Vec3(0.0, -9.81, 0.0);
-  SceneBox plate;
-  plate.size = Vec3(1.0, 0.02, 1.0);
-  plate.position_w = Vec3(0.0, -0.01, 0.0);
-  plate.fixed = true;
-  plate.friction = 0.5;
-  SceneBox brick;
-  brick.size = Vec3(0.032, 0.0096, 0.016);
-  brick.mass = 0.0025;
-  brick.velocity_w = Vec3(0.0, -44.0, 0.0);
-  brick.friction = 0.5;
+  SceneBox plate{.size = Vec3(1.0, 0.02, 1.0),
+                 .fixed = true,
+                 .position_w = Vec3(0.0, -0.01, 0.0),
+                 .friction = 0.5};
+  SceneBox brick{.size = Vec3(0.032, 0.0096, 0.016),
+                 .mass = 0.0025,
+                 .velocity_w = Vec3(0.0, -44.0, 0.0),
+                 .friction = 0.5};
   scene.boxes = {plate, brick};
   return scene;
 }

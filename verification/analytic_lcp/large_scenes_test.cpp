@@ -45,14 +45,12 @@ void add_tent(const std::string& name, double x, double floor, Scene& scene) {
   const Vec3 half(1.25 * std::cos(angle) + 0.01 * std::sin(angle) + 0.0005,
                   1.25 * std::sin(angle) + 0.01 * std::cos(angle), 0.0);
   for (const double side : {-1.0, 1.0}) {
-    SceneBox card;
-    card.name = name + (side < 0.0 ? "l" : "r");
-    card.size = Vec3(2.5, 0.02, 1.25);
-    card.mass = 0.3;
-    card.friction = 0.6;
-    card.position_w = Vec3(x + side * half.x(), floor + half.y(), 0.0);
-    card.orientation_wb = rotation_from_vector(Vec3(0.0, 0.0, -side * angle));
-    scene.boxes.push_back(card);
+    scene.boxes.push_back({.name = name + (side < 0.0 ? "l" : "r"),
+                           .size = Vec3(2.5, 0.02, 1.25),
+                           .mass = 0.3,
+                           .position_w = Vec3(x + side * half.x(), floor + half.y(), 0.0),
+                           .orientation_wb = rotation_from_vector(Vec3(0.0, 0.0, -side * angle)),
+                           .friction = 0.6});
   }
 }
 

@@ -62,9 +62,7 @@ TEST_CASE("Friction between the axes is within eight per cent of Coulomb's",
           "[exact][time_stepping][analytic_lcp]") {
   Scene scene;
   scene.ground = SceneGround{0.3, 0.0};
-  SceneBox box;
-  box.friction = 0.3;
-  box.position_w = Vec3(0.0, 0.5, 0.0);
+  SceneBox box{.position_w = Vec3(0.0, 0.5, 0.0), .friction = 0.3};
   for (const Vec3& way_w : {Vec3(1.0, 0.0, 1.0), Vec3(2.4, 0.0, 1.0), Vec3(1.0, 0.0, 2.4)}) {
     box.velocity_w = 3.0 * way_w.normalized();
     scene.boxes = {box};

@@ -18,11 +18,7 @@ using namespace tumble::test;
 const std::vector<std::string> kCollide = {"contacts=collide"};
 
 SceneBox cube_at(const std::string& name, const Vec3& position_w, double mass = 1.0) {
-  SceneBox box;
-  box.name = name;
-  box.position_w = position_w;
-  box.mass = mass;
-  return box;
+  return {.name = name, .mass = mass, .position_w = position_w};
 }
 
 // What the ground carries, as impulses of the last step.

@@ -203,21 +203,3 @@ TEST_CASE("Impacts with friction end apart, within the cone, and without new ene
   }
   CHECK(wrong == Failures{});
 }
-
-TEST_CASE("What is no impact is refused by the name of the value", "[unit][microcollisions]") {
-  SlidingImpact good;
-  good.inverse_mass_w = Mat3::Identity();
-  CHECK_NOTHROW(check_impact(good));
-  CHECK(solve_sliding_impact(good).mode == ImpactMode::none);  // does not approach
-  const auto refused = [&](const char* name, const auto& change) {
-    SlidingImpact bad = good;
-    change(bad);
-    CHECK_THROWS_WITH(check_impact(bad), Contains(name));
-  };
-  refused("normal_w", [](SlidingImpact& i) { i.normal_w *= 2.0; });
-  refused("velocity_w", [](SlidingImpact& i) { i.velocity_w.x() = std::nan(""); });
-  refused("inverse_mass_w", [](SlidingImpact& i) { i.inverse_mass_w.setZero(); });
-  refused("friction", [](SlidingImpact& i) { i.friction = -0.1; });
-  refused("restitution", [](SlidingImpact& i) { i.restitution = 1.5; });
-  refused("rebound", [](SlidingImpact& i) { i.rebound = -1.0; });
-}

@@ -56,11 +56,7 @@ class TurningBack : public Ghosts {
 };
 
 SceneBox cube(const std::string& name, const Vec3& position_w, const Vec3& velocity_w) {
-  SceneBox box;
-  box.name = name;
-  box.position_w = position_w;
-  box.velocity_w = velocity_w;
-  return box;
+  return {.name = name, .position_w = position_w, .velocity_w = velocity_w};
 }
 
 RunResult ran(const Scene& scene, double gain = 1.0) {
@@ -103,9 +99,7 @@ Scene falling_rod() {
 Scene spinning_plate() {
   Scene scene;
   scene.gravity_w.setZero();
-  SceneBox box;
-  box.size = Vec3(4.4, 2.3, 0.36);
-  box.angular_velocity_w = Vec3(-2.5, -5.7, -17.5);
+  SceneBox box{.size = Vec3(4.4, 2.3, 0.36), .angular_velocity_w = Vec3(-2.5, -5.7, -17.5)};
   scene.boxes = {box};
   return scene;
 }

@@ -24,15 +24,13 @@ constexpr double kG = 9.81;
 
 SceneBox cube(const std::string& name, double edge, double mass, const Vec3& position_w,
               const Vec3& velocity_w, double restitution) {
-  SceneBox box;
-  box.name = name;
-  box.size = Vec3::Constant(edge);
-  box.mass = mass;
-  box.position_w = position_w;
-  box.velocity_w = velocity_w;
-  box.friction = 0.0;
-  box.restitution = restitution;
-  return box;
+  return {.name = name,
+          .size = Vec3::Constant(edge),
+          .mass = mass,
+          .position_w = position_w,
+          .velocity_w = velocity_w,
+          .friction = 0.0,
+          .restitution = restitution};
 }
 
 double speed_up(const Simulation& simulation, const std::string& name) {

@@ -33,9 +33,8 @@ inline constexpr double adaptive_overlap = 0.02;
 /// amplitude from which on a body counts as chattering, a thousandth. (6.3.1)
 inline constexpr double adaptive_shake = 5e-4;
 
-/// [-] Share of the interval by which a recorded frame may differ from a resampled time and still be used
-/// there. Reason: a quarter of tolerance::equal_spacing, since the difference between the interval of
-/// two such frames and the first interval may be three times as large. (5.5)
+/// [-] Share of the interval by which the last frame of a film may come after the end of its run. Reason: sums of
+/// steps are off by rounding, 1e-12 of the run and less; a millionth of an interval is not seen. (5.5)
 inline constexpr double on_the_grid = 2.5e-7;
 
 /// [-] Largest displacement of a resting body's corners from their first places in a detector's window,

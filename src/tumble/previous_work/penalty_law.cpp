@@ -26,11 +26,6 @@ double stable_step(PenaltyScheme scheme, const PenaltyLaw& law) {
   return 2.0 / (zeta + std::sqrt(zeta * zeta - 1.0)) / law.frequency;
 }
 
-double contact_time(const PenaltyLaw& law) {
-  require::positive(law.frequency, "frequency");
-  return std::numbers::pi / law.frequency;
-}
-
 double penalty_restitution(double damping, bool pull) {
   require::not_negative(damping, "damping");
   const double root = std::sqrt(std::abs(1.0 - damping * damping));

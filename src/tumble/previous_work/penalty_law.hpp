@@ -31,11 +31,6 @@ struct PenaltyLaw {
 /// \verified{Swings on springs decay below the stable step and grow above it}
 double stable_step(PenaltyScheme scheme, const PenaltyLaw& law);
 
-/// The time from touch to touch of a bounce without damping, \f$\pi\sqrt{m/k}\f$.
-/// \param law its frequency
-/// \return [s]
-double contact_time(const PenaltyLaw& law);
-
 /// Restitution of a bounce without gravity.
 ///
 /// If the damper may pull, the mass is released where it touched, after half a swing:

@@ -2,7 +2,6 @@
 /// \brief An impact at one point, followed through its duration.
 #include "tumble/previous_work/sliding_impact.hpp"
 
-#include "tumble/base/error.hpp"
 #include "tumble/math/bracket.hpp"
 #include "tumble/previous_work/tolerances.hpp"
 
@@ -226,15 +225,5 @@ Moment Course::stepped(double length) const {
 }  // namespace
 
 SlidingImpulse solve_sliding_impact(const SlidingImpact& impact) { return Course(impact).run(); }
-
-void check_impact(const SlidingImpact& impact) {
-  require::unit(impact.normal_w, "normal_w");
-  require::finite(impact.velocity_w, "velocity_w");
-  require::that(impact.inverse_mass_w.allFinite() && impact.inverse_mass_w.determinant() > 0.0,
-                "inverse_mass_w: expected a positive definite matrix, as of a pair that can move");
-  require::not_negative(impact.friction, "friction");
-  require::within(impact.restitution, 0.0, 1.0, "restitution");
-  require::not_negative(impact.rebound, "rebound");
-}
 
 }  // namespace tumble

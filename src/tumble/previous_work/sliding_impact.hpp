@@ -57,17 +57,12 @@ struct SlidingImpulse {
 /// Approaching ends where \f$n\cdot u = 0\f$; then as ImpactEnd says. With ImpactEnd::work no energy is added unless `rebound` asks for it. It
 /// always ends: K is positive definite, so slip that grows goes with a push that parts the bodies, and slip that shrinks
 /// comes to its end.
-/// \param impact  the impact, valid in the sense of check_impact(), which is not called
+/// \param impact  the impact, its values as SlidingImpact has them, which is not checked
 /// \return its impulse
 /// \see Routh, "Dynamics of a system of rigid bodies", elementary part, 1905; Keller, "Impact with friction", J. Appl. Mech. 53, 1986;
 ///      Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996.
 /// \algorithm{Friction through an impact: section 2.5.2}
 /// \verified{Impacts of a rod are Routh's: they slide, stick, or slide back}
 [[nodiscard]] SlidingImpulse solve_sliding_impact(const SlidingImpact& impact);
-
-/// Refuses values that are not those of an impact.
-/// \param impact what a caller handed in
-/// \throws std::invalid_argument naming the value that is not finite or out of range
-void check_impact(const SlidingImpact& impact);
 
 }  // namespace tumble

@@ -12,20 +12,13 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-SceneBox fixed_at(const char* name, const Vec3& size, const Vec3& position_w) {
-  SceneBox box = box_at(name, size, position_w, 1.0);
-  box.fixed = true;
-  return box;
-}
-
 Parameters rocking_parameters() {
-  Parameters p;
-  p.add_number("width", 0.4, 1e-3, 1e3, "m", "width of the block, along x and z");
-  p.add_number("height", 2.0, 1e-3, 1e3, "m", "height of the block");
-  p.add_number("tilt", 0.5, 0.0, 1.0, "-",
-               "at the start, over the angle at which it balances on its edge");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
-  return p;
+  return Parameters{}
+      .add_number("width", 0.4, 1e-3, 1e3, "m", "width of the block, along x and z")
+      .add_number("height", 2.0, 1e-3, 1e3, "m", "height of the block")
+      .add_number("tilt", 0.5, 0.0, 1.0, "-",
+                  "at the start, over the angle at which it balances on its edge")
+      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
 }
 
 // Housner's block: it rocks from edge to edge. With tilt 1 its centre is above the left edge, at
@@ -47,13 +40,12 @@ Scene rocking_block(const Parameters& p, Random) {
 }
 
 Parameters seesaw_parameters() {
-  Parameters p;
-  p.add_number("left", 2.0, 1e-3, 1e3, "kg", "load on the left end");
-  p.add_number("right", 1.0, 1e-3, 1e3, "kg", "load on the right end");
-  p.add_number("plank", 1.0, 1e-3, 1e3, "kg", "mass of the plank");
-  p.add_number("pivot", 0.1, 1e-3, 2.0, "m", "width of the pivot");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
-  return p;
+  return Parameters{}
+      .add_number("left", 2.0, 1e-3, 1e3, "kg", "load on the left end")
+      .add_number("right", 1.0, 1e-3, 1e3, "kg", "load on the right end")
+      .add_number("plank", 1.0, 1e-3, 1e3, "kg", "mass of the plank")
+      .add_number("pivot", 0.1, 1e-3, 2.0, "m", "width of the pivot")
+      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
 }
 
 // It tips if 1.75 |left - right| > (left + right + plank) pivot/2: moments about the pivot's edge.
@@ -70,11 +62,11 @@ Scene seesaw(const Parameters& p, Random) {
 }
 
 Parameters fig6_5_parameters() {
-  Parameters p;
-  p.add_number("mass_ratio", 1.0, 1e-3, 1e3, "-", "mass of the top block over that of a lower one");
-  p.add_number("offset", 0.0, -0.24, 0.24, "m", "offset of the top block, to the right");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
-  return p;
+  return Parameters{}
+      .add_number("mass_ratio", 1.0, 1e-3, 1e3, "-",
+                  "mass of the top block over that of a lower one")
+      .add_number("offset", 0.0, -0.24, 0.24, "m", "offset of the top block, to the right")
+      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
 }
 
 // Two blocks that overhang outwards, each on a pedestal, are kept from falling by the weight of
@@ -97,13 +89,12 @@ Scene fig6_5(const Parameters& p, Random) {
 }
 
 Parameters leaning_parameters() {
-  Parameters p;
-  p.add_whole("count", 3, 1, 100, "planks, side by side, each with a block of its own");
-  p.add_number("angle", 60.0, 45.0, 80.0, "deg", "angle of a plank, from the ground");
-  p.add_flag("fixed", false, "whether the blocks are immovable");
-  p.add_number("block_mass", 2.0, 1e-3, 1e3, "kg", "mass of a block; a plank has 1 kg");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
-  return p;
+  return Parameters{}
+      .add_whole("count", 3, 1, 100, "planks, side by side, each with a block of its own")
+      .add_number("angle", 60.0, 45.0, 80.0, "deg", "angle of a plank, from the ground")
+      .add_flag("fixed", false, "whether the blocks are immovable")
+      .add_number("block_mass", 2.0, 1e-3, 1e3, "kg", "mass of a block; a plank has 1 kg")
+      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
 }
 
 // A plank stands on its lower edge and leans on the upper right edge of a block.
@@ -116,12 +107,10 @@ Scene leaning(const Parameters& p, Random) {
   const double foot = high * elementary::cos(angle) / elementary::sin(angle);
   for (int k = 0; k < p.count("count"); ++k) {
     const double z = 1.0 * (k - 0.5 * (p.count("count") - 1));
-    SceneBox block =
-        box_at("", Vec3(1.0, high, 0.8), Vec3(-0.5, 0.5 * high, z), p.number("block_mass"));
-    block.name = numbered("block", {k + 1});
+    SceneBox block = box_at(numbered("block", {k + 1}), Vec3(1.0, high, 0.8),
+                            Vec3(-0.5, 0.5 * high, z), p.number("block_mass"));
     block.fixed = p.flag("fixed");
-    SceneBox board = box_at("", plank, Vec3::Zero(), 1.0);
-    board.name = numbered("plank", {k + 1});
+    SceneBox board = box_at(numbered("plank", {k + 1}), plank, Vec3::Zero(), 1.0);
     // The plank's own x axis points down along it; its lower right edge is the foot.
     board.orientation_wb = rotation_from_vector(Vec3(0.0, 0.0, -angle));
     board.position_w =
@@ -134,11 +123,10 @@ Scene leaning(const Parameters& p, Random) {
 }
 
 Parameters table_parameters() {
-  Parameters p;
-  p.add_number("load", 2.0, 1e-3, 1e3, "kg", "mass of the box on the table; the plate has 1 kg");
-  p.add_number("offset", 0.2, -0.75, 0.75, "m", "offset of that box from the middle, along x");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
-  return p;
+  return Parameters{}
+      .add_number("load", 2.0, 1e-3, 1e3, "kg", "mass of the box on the table; the plate has 1 kg")
+      .add_number("offset", 0.2, -0.75, 0.75, "m", "offset of that box from the middle, along x")
+      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
 }
 
 // A plate lies on four legs that stand by themselves.
@@ -146,10 +134,8 @@ Scene table(const Parameters& p, Random) {
   Scene scene;
   scene.title = "a table with a box on it";
   for (int k = 0; k < 4; ++k) {
-    SceneBox leg = box_at("", Vec3(0.2, 0.8, 0.2),
-                          Vec3(k % 2 == 0 ? -0.8 : 0.8, 0.4, k < 2 ? -0.4 : 0.4), 0.2);
-    leg.name = numbered("leg", {k + 1});
-    scene.boxes.push_back(leg);
+    scene.boxes.push_back(box_at(numbered("leg", {k + 1}), Vec3(0.2, 0.8, 0.2),
+                                 Vec3(k % 2 == 0 ? -0.8 : 0.8, 0.4, k < 2 ? -0.4 : 0.4), 0.2));
   }
   scene.boxes.push_back(box_at("plate", Vec3(2.0, 0.1, 1.2), Vec3(0.0, 0.85, 0.0), 1.0));
   scene.boxes.push_back(

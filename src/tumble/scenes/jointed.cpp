@@ -10,12 +10,6 @@
 namespace tumble::recipes {
 namespace {
 
-SceneBox fixed_box(std::string_view name, const Vec3& size, const Vec3& position_w) {
-  SceneBox box = box_at(name, size, position_w, 1.0);
-  box.fixed = true;
-  return box;
-}
-
 // Joins the box that was added last.
 void join_last(Scene& scene, const std::string& to, JointKind kind, const Vec3& anchor_w,
                const Vec3& axis_w = Vec3::Zero()) {
@@ -53,12 +47,11 @@ Vec3 hang(const Links& links, Scene& scene) {
 // --- chain and pendulum -----------------------------------------------------------------------------
 
 Parameters hanging(int count, double angle) {
-  Parameters p;
-  p.add_whole("count", count, 1, 1000, "links");
-  p.add_number("length", 0.5, 0.01, 100.0, "m", "length of a link");
-  p.add_number("angle", angle, -std::numbers::pi, std::numbers::pi, "rad",
-               "angle of all links from hanging straight down, anticlockwise");
-  return p;
+  return Parameters{}
+      .add_whole("count", count, 1, 1000, "links")
+      .add_number("length", 0.5, 0.01, 100.0, "m", "length of a link")
+      .add_number("angle", angle, -std::numbers::pi, std::numbers::pi, "rad",
+                  "angle of all links from hanging straight down, anticlockwise");
 }
 
 Scene hanging_scene(const Parameters& p, JointKind kind) {
@@ -66,7 +59,7 @@ Scene hanging_scene(const Parameters& p, JointKind kind) {
   const double length = p.number("length");
   const double thick = 0.2 * length;
   const double height = (p.count("count") + 1.0) * length;
-  scene.boxes.push_back(fixed_box("hook", Vec3::Constant(thick), Vec3(0.0, height, 0.0)));
+  scene.boxes.push_back(fixed_at("hook", Vec3::Constant(thick), Vec3(0.0, height, 0.0)));
   Links links;
   links.first_on = "hook";
   links.count = p.count("count");
@@ -98,13 +91,12 @@ Scene pendulum(const Parameters& p, Random) {
 // --- crane ------------------------------------------------------------------------------------------
 
 Parameters crane_parameters() {
-  Parameters p;
-  p.add_number("angle", 0.9, 0.0, 1.2, "rad", "how far the wrecking box is pulled back");
-  p.add_number("mass", 200.0, 1.0, 1e4, "kg", "mass of the wrecking box");
-  p.add_whole("rows", 7, 1, 8, "rows of bricks in the wall");
-  p.add_whole("columns", 3, 1, 8, "bricks in a row of the wall");
-  p.add_number("friction", 0.5, 0.0, 1e3, "-", "Coulomb coefficient of everything");
-  return p;
+  return Parameters{}
+      .add_number("angle", 0.9, 0.0, 1.2, "rad", "how far the wrecking box is pulled back")
+      .add_number("mass", 200.0, 1.0, 1e4, "kg", "mass of the wrecking box")
+      .add_whole("rows", 7, 1, 8, "rows of bricks in the wall")
+      .add_whole("columns", 3, 1, 8, "bricks in a row of the wall")
+      .add_number("friction", 0.5, 0.0, 1e3, "-", "Coulomb coefficient of everything");
 }
 
 // The boom reaches out along x; the box swings along z, from the one side of the boom to the wall on the other.
@@ -113,7 +105,7 @@ Scene crane(const Parameters& p, Random) {
   scene.title = "a crane swings a wrecking box into a wall";
   constexpr double height = 6.0;  // [m] of the boom's lower side
   constexpr double reach = 3.5;   // [m] of its tip
-  scene.boxes.push_back(fixed_box("mast", Vec3(0.5, height, 0.5), Vec3(0.0, 0.5 * height, 0.0)));
+  scene.boxes.push_back(fixed_at("mast", Vec3(0.5, height, 0.5), Vec3(0.0, 0.5 * height, 0.0)));
   scene.boxes.push_back(box_at("boom", Vec3(4.0, 0.4, 0.4), Vec3(1.75, height + 0.2, 0.0), 100.0));
   join_last(scene, "mast", JointKind::fixed, Vec3(0.0, height, 0.0));
   Links rope;
@@ -144,12 +136,12 @@ Scene crane(const Parameters& p, Random) {
 // --- plank_bridge -----------------------------------------------------------------------------------
 
 Parameters plank_bridge_parameters() {
-  Parameters p;
-  p.add_whole("planks", 8, 2, 100, "planks of the bridge");
-  p.add_number("sag", 0.5, 0.1, 1.0, "rad", "slope of the bridge at its ends");
-  p.add_number("load", 20.0, 0.1, 1e3, "kg", "mass of the box that falls on it; a plank has 5 kg");
-  p.add_number("friction", 0.8, 0.0, 1e3, "-", "Coulomb coefficient of everything");
-  return p;
+  return Parameters{}
+      .add_whole("planks", 8, 2, 100, "planks of the bridge")
+      .add_number("sag", 0.5, 0.1, 1.0, "rad", "slope of the bridge at its ends")
+      .add_number("load", 20.0, 0.1, 1e3, "kg",
+                  "mass of the box that falls on it; a plank has 5 kg")
+      .add_number("friction", 0.8, 0.0, 1e3, "-", "Coulomb coefficient of everything");
 }
 
 // The ends of planks lie on an arc.
@@ -169,8 +161,8 @@ Scene plank_bridge(const Parameters& p, Random) {
   const double half = end_of(count).x();
   for (const double side : {-1.0, 1.0})
     scene.boxes.push_back(
-        fixed_box(side < 0.0 ? "left" : "right", Vec3(1.0, height + 0.5 * plank.y(), plank.z()),
-                  Vec3(side * (half + 0.5), 0.5 * height + 0.25 * plank.y(), 0.0)));
+        fixed_at(side < 0.0 ? "left" : "right", Vec3(1.0, height + 0.5 * plank.y(), plank.z()),
+                 Vec3(side * (half + 0.5), 0.5 * height + 0.25 * plank.y(), 0.0)));
   std::string on = "left";
   for (int k = 1; k <= count; ++k) {
     const Vec3 from_w = end_of(k - 1), to_w = end_of(k);

@@ -47,6 +47,29 @@ SceneBox recipes::box_at(std::string_view name, const Vec3& size, const Vec3& po
   return box;
 }
 
+SceneBox recipes::fixed_at(std::string_view name, const Vec3& size, const Vec3& position_w) {
+  SceneBox box = box_at(name, size, position_w, 1.0);
+  box.fixed = true;
+  return box;
+}
+
+void recipes::add_surface(Parameters& p, double friction, double restitution) {
+  p.add_number("friction", friction, 0.0, 10.0, "-", "Coulomb coefficient");
+  p.add_number("restitution", restitution, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+}
+
+void recipes::set_surfaces(const Parameters& p, Scene& scene) {
+  for (SceneBox& box : scene.boxes) {
+    box.friction = p.number("friction");
+    box.restitution = p.number("restitution");
+  }
+}
+
+void recipes::add_bouncing_ground(const Parameters& p, Scene& scene) {
+  set_surfaces(p, scene);
+  scene.ground = SceneGround{p.number("friction"), p.number("restitution")};
+}
+
 void recipes::add_ground(const Parameters& p, Scene& scene) {
   for (SceneBox& box : scene.boxes) box.friction = p.number("friction");
   scene.ground = SceneGround{p.number("friction"), 0.0};

@@ -84,7 +84,30 @@ void build_clump(int per_edge, double spacing, Random random, Scene& scene);
 /// \param position_w  [m] its centre
 /// \param mass        [kg]
 /// \return the box, with the friction and restitution of SceneBox
-SceneBox box_at(std::string_view name, const Vec3& size, const Vec3& position_w, double mass);
+SceneBox box_at(std::string_view name, const Vec3& size, const Vec3& position_w, double mass = 1.0);
+
+/// An immovable box that is upright.
+/// \param name        its name
+/// \param size        [m] full edge lengths
+/// \param position_w  [m] its centre
+/// \return the box
+SceneBox fixed_at(std::string_view name, const Vec3& size, const Vec3& position_w);
+
+/// Declares `friction` and `restitution`.
+/// \param p            gets the two settings
+/// \param friction     [-] its default
+/// \param restitution  [-] ditto
+void add_surface(Parameters& p, double friction, double restitution);
+
+/// Gives all boxes the settings `friction` and `restitution`.
+/// \param p      has them
+/// \param scene  its boxes get them
+void set_surfaces(const Parameters& p, Scene& scene);
+
+/// The same, and puts the scene on such a ground.
+/// \param p      has the settings
+/// \param scene  its boxes get them
+void add_bouncing_ground(const Parameters& p, Scene& scene);
 
 /// Puts a scene on the ground, with one friction everywhere.
 /// \param p      has the setting `friction`

@@ -14,8 +14,7 @@ Parameters box_drop_parameters() {
   p.add_number("height", 1.0, 0.0, 1e4, "m", "height of the lowest corner over the ground");
   p.add_number("size", 1.0, 1e-3, 1e3, "m", "edge of the cube");
   p.add_number("tilt", 30.0, -180.0, 180.0, "deg", "rotation about the z axis");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
-  p.add_number("restitution", 0.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  add_surface(p, 0.5, 0.0);
   return p;
 }
 
@@ -27,33 +26,26 @@ double reach_below(const SceneBox& box) {
 Scene box_drop(const Parameters& p, Random) {
   Scene scene;
   scene.title = "a cube dropped on an edge";
-  SceneBox box;
-  box.name = "cube";
-  box.size = Vec3::Constant(p.number("size"));
+  SceneBox box = box_at("cube", Vec3::Constant(p.number("size")), Vec3::Zero(), 1.0);
   box.orientation_wb = rotation_from_degrees(Vec3(0.0, 0.0, p.number("tilt")));
-  box.position_w = Vec3(0.0, p.number("height") + reach_below(box), 0.0);
-  box.friction = p.number("friction");
-  box.restitution = p.number("restitution");
-  scene.ground = SceneGround{p.number("friction"), p.number("restitution")};
+  box.position_w.y() = p.number("height") + reach_below(box);
   scene.boxes.push_back(box);
+  add_bouncing_ground(p, scene);
   return scene;
 }
 
 Parameters bouncing_box_parameters() {
-  Parameters p;
-  p.add_number("height", 1.0, 0.0, 1e4, "m", "height of the lower face over the ground");
-  p.add_number("size", 1.0, 1e-3, 1e3, "m", "edge of the cube");
-  p.add_number("restitution", 0.9, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
-  return p;
+  return Parameters{}
+      .add_number("height", 1.0, 0.0, 1e4, "m", "height of the lower face over the ground")
+      .add_number("size", 1.0, 1e-3, 1e3, "m", "edge of the cube")
+      .add_number("restitution", 0.9, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
 }
 
 Scene bouncing_box(const Parameters& p, Random) {
   Scene scene;
   scene.title = "a cube dropped flat on the ground";
-  SceneBox box;
-  box.name = "cube";
-  box.size = Vec3::Constant(p.number("size"));
-  box.position_w = Vec3(0.0, p.number("height") + 0.5 * p.number("size"), 0.0);
+  SceneBox box = box_at("cube", Vec3::Constant(p.number("size")),
+                        Vec3(0.0, p.number("height") + 0.5 * p.number("size"), 0.0), 1.0);
   box.restitution = p.number("restitution");
   scene.ground = SceneGround{0.5, p.number("restitution")};
   scene.boxes.push_back(box);
@@ -61,11 +53,11 @@ Scene bouncing_box(const Parameters& p, Random) {
 }
 
 Parameters tumbling_box_parameters() {
-  Parameters p;
-  p.add_number("spin_x", 0.01, -100.0, 100.0, "rad/s", "angular velocity about the longest edge");
-  p.add_number("spin_y", 5.0, -100.0, 100.0, "rad/s", "angular velocity about the middle edge");
-  p.add_number("spin_z", 0.02, -100.0, 100.0, "rad/s", "angular velocity about the shortest edge");
-  return p;
+  return Parameters{}
+      .add_number("spin_x", 0.01, -100.0, 100.0, "rad/s", "angular velocity about the longest edge")
+      .add_number("spin_y", 5.0, -100.0, 100.0, "rad/s", "angular velocity about the middle edge")
+      .add_number("spin_z", 0.02, -100.0, 100.0, "rad/s",
+                  "angular velocity about the shortest edge");
 }
 
 // Spinning about its middle axis a free body turns over again and again (Dzhanibekov).
@@ -73,50 +65,38 @@ Scene tumbling_box(const Parameters& p, Random) {
   Scene scene;
   scene.title = "a free box of three different edges, spinning about the middle one";
   scene.gravity_w = Vec3::Zero();
-  SceneBox box;
-  box.name = "box";
-  box.size = Vec3(3.0, 2.0, 1.0);
-  box.mass = 12.0;
+  SceneBox box = box_at("box", Vec3(3.0, 2.0, 1.0), Vec3::Zero(), 12.0);
   box.angular_velocity_w = Vec3(p.number("spin_x"), p.number("spin_y"), p.number("spin_z"));
   scene.boxes.push_back(box);
   return scene;
 }
 
 Parameters two_boxes_parameters() {
-  Parameters p;
-  p.add_number("speed", 2.0, 0.0, 1e3, "m/s", "speed of the left cube");
-  p.add_number("offset", 0.75, -1.4, 1.4, "m", "height of the right box's centre over the left's");
-  p.add_number("gap", 1.0, 0.0, 1e3, "m", "gap between the faces at the start");
-  p.add_number("restitution", 0.5, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
-  p.add_number("friction", 0.0, 0.0, 10.0, "-", "Coulomb coefficient");
-  return p;
+  return Parameters{}
+      .add_number("speed", 2.0, 0.0, 1e3, "m/s", "speed of the left cube")
+      .add_number("offset", 0.75, -1.4, 1.4, "m",
+                  "height of the right box's centre over the left's")
+      .add_number("gap", 1.0, 0.0, 1e3, "m", "gap between the faces at the start")
+      .add_number("restitution", 0.5, 0.0, 1.0, "-", "0 sticks, 1 bounces back")
+      .add_number("friction", 0.0, 0.0, 10.0, "-", "Coulomb coefficient");
 }
 
 Scene two_boxes(const Parameters& p, Random) {
   Scene scene;
   scene.title = "a cube flies into a heavier box, off its centre";
   scene.gravity_w = Vec3::Zero();
-  SceneBox left;
-  left.name = "left";
-  left.velocity_w = Vec3(p.number("speed"), 0.0, 0.0);
-  SceneBox right;
-  right.name = "right";
-  right.size = Vec3(1.0, 2.0, 1.0);
-  right.mass = 3.0;
-  right.position_w = Vec3(1.0 + p.number("gap"), p.number("offset"), 0.0);
-  for (SceneBox* box : {&left, &right}) {
-    box->friction = p.number("friction");
-    box->restitution = p.number("restitution");
-  }
-  scene.boxes = {left, right};
+  scene.boxes = {box_at("left", Vec3::Ones(), Vec3::Zero(), 1.0),
+                 box_at("right", Vec3(1.0, 2.0, 1.0),
+                        Vec3(1.0 + p.number("gap"), p.number("offset"), 0.0), 3.0)};
+  scene.boxes[0].velocity_w.x() = p.number("speed");
+  set_surfaces(p, scene);
   return scene;
 }
 
 Parameters crate_parameters() {
   Parameters p;
   p.add_number("speed", 3.5, 0.0, 100.0, "m/s", "speed of the crate along the table");
-  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient");
-  p.add_number("restitution", 0.1, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  add_surface(p, 0.3, 0.1);
   return p;
 }
 
@@ -124,33 +104,19 @@ Parameters crate_parameters() {
 Scene crate_off_table(const Parameters& p, Random) {
   Scene scene;
   scene.title = "a crate slides along a table and tumbles over its edge";
-  SceneBox table;
-  table.name = "table";
-  table.size = Vec3(2.0, 0.8, 1.2);
-  table.fixed = true;
-  table.position_w = Vec3(0.0, 0.4, 0.0);
-  SceneBox crate;
-  crate.name = "crate";
-  crate.size = Vec3(0.4, 0.3, 0.3);
-  crate.mass = 2.0;
-  crate.position_w = Vec3(-0.6, 0.95, 0.0);
-  crate.velocity_w = Vec3(p.number("speed"), 0.0, 0.0);
-  for (SceneBox* box : {&table, &crate}) {
-    box->friction = p.number("friction");
-    box->restitution = p.number("restitution");
-  }
-  scene.ground = SceneGround{p.number("friction"), p.number("restitution")};
-  scene.boxes = {table, crate};
+  scene.boxes = {fixed_at("table", Vec3(2.0, 0.8, 1.2), Vec3(0.0, 0.4, 0.0)),
+                 box_at("crate", Vec3(0.4, 0.3, 0.3), Vec3(-0.6, 0.95, 0.0), 2.0)};
+  scene.boxes[1].velocity_w.x() = p.number("speed");
+  add_bouncing_ground(p, scene);
   return scene;
 }
 
 Parameters cradle_parameters() {
-  Parameters p;
-  p.add_whole("count", 5, 2, 1000, "cubes in all");
-  p.add_whole("moving", 1, 1, 999, "cubes that arrive together from the left, fewer than count");
-  p.add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
-  p.add_number("gap", 0.5, 0.0, 100.0, "m", "gap between the arriving cubes and the row");
-  return p;
+  return Parameters{}
+      .add_whole("count", 5, 2, 1000, "cubes in all")
+      .add_whole("moving", 1, 1, 999, "cubes that arrive together from the left, fewer than count")
+      .add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back")
+      .add_number("gap", 0.5, 0.0, 100.0, "m", "gap between the arriving cubes and the row");
 }
 
 // Newton's cradle without strings: cubes in a row that touch, in free space.
@@ -164,10 +130,9 @@ Scene cradle(const Parameters& p, Random) {
                     ": expected fewer than count = " + count + ", so that there is a cube to hit");
   for (int k = 0; k < p.count("count"); ++k) {
     const bool arrives = k < p.count("moving");
-    SceneBox box;
-    box.name = numbered("ball", {k + 1});
-    box.position_w = Vec3(k - (arrives ? p.number("gap") : 0.0), 0.0, 0.0);
-    box.velocity_w = Vec3(arrives ? 1.0 : 0.0, 0.0, 0.0);
+    SceneBox box = box_at(numbered("ball", {k + 1}), Vec3::Ones(),
+                          Vec3(k - (arrives ? p.number("gap") : 0.0), 0.0, 0.0), 1.0);
+    box.velocity_w.x() = arrives ? 1.0 : 0.0;
     box.restitution = p.number("restitution");
     box.friction = 0.0;
     scene.boxes.push_back(box);

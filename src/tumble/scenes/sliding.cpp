@@ -11,14 +11,13 @@ namespace tumble::recipes {
 namespace {
 
 Parameters slide_parameters() {
-  Parameters p;
-  p.add_number("speed", 3.0, 0.0, 1e3, "m/s", "speed of the box at the start");
-  p.add_number("heading", 0.0, -180.0, 180.0, "deg",
-               "direction of the speed, from the x axis towards -z");
-  p.add_number("width", 1.0, 1e-3, 1e3, "m", "width of the box, along x and z");
-  p.add_number("height", 0.2, 1e-3, 1e3, "m", "height of the box");
-  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient");
-  return p;
+  return Parameters{}
+      .add_number("speed", 3.0, 0.0, 1e3, "m/s", "speed of the box at the start")
+      .add_number("heading", 0.0, -180.0, 180.0, "deg",
+                  "direction of the speed, from the x axis towards -z")
+      .add_number("width", 1.0, 1e-3, 1e3, "m", "width of the box, along x and z")
+      .add_number("height", 0.2, 1e-3, 1e3, "m", "height of the box")
+      .add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient");
 }
 
 // It stops after v²/(2 μ g).
@@ -30,20 +29,19 @@ Scene slide(const Parameters& p, Random) {
                         Vec3(0.0, 0.5 * p.number("height"), 0.0), 1.0);
   box.velocity_w =
       p.number("speed") * Vec3(elementary::cos(heading), 0.0, -elementary::sin(heading));
-  box.friction = p.number("friction");
-  scene.ground = SceneGround{p.number("friction"), 0.0};
   scene.boxes.push_back(box);
+  add_ground(p, scene);
   return scene;
 }
 
 Parameters slope_parameters() {
-  Parameters p;
-  p.add_number("angle", 30.0, 0.0, 80.0, "deg", "angle of the slope, down along x");
-  p.add_number("speed", 0.0, -100.0, 100.0, "m/s", "speed of the box down the slope at the start");
-  p.add_number("width", 1.0, 1e-3, 5.0, "m", "width of the box, along the slope");
-  p.add_number("height", 0.2, 1e-3, 1e3, "m", "height of the box");
-  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient");
-  return p;
+  return Parameters{}
+      .add_number("angle", 30.0, 0.0, 80.0, "deg", "angle of the slope, down along x")
+      .add_number("speed", 0.0, -100.0, 100.0, "m/s",
+                  "speed of the box down the slope at the start")
+      .add_number("width", 1.0, 1e-3, 5.0, "m", "width of the box, along the slope")
+      .add_number("height", 0.2, 1e-3, 1e3, "m", "height of the box")
+      .add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient");
 }
 
 // The middle of the slope's face is the origin. The box slides down above atan μ and tips over its
@@ -55,8 +53,7 @@ Scene slope(const Parameters& p, Random) {
   const Vec3 along(elementary::cos(angle), -elementary::sin(angle), 0.0);
   const Vec3 up(-along.y(), along.x(), 0.0);
   const Vec3 board_size(40.0, 1.0, 4.0);
-  SceneBox board = box_at("slope", board_size, -0.5 * board_size.y() * up, 1.0);
-  board.fixed = true;
+  SceneBox board = fixed_at("slope", board_size, -0.5 * board_size.y() * up);
   SceneBox box = box_at("box", Vec3(p.number("width"), p.number("height"), 1.0),
                         0.5 * p.number("height") * up, 1.0);
   box.velocity_w = p.number("speed") * along;
@@ -69,15 +66,14 @@ Scene slope(const Parameters& p, Random) {
 }
 
 Parameters fig5_2_parameters() {
-  Parameters p;
-  p.add_number("speed", 2.0, 0.0, 3.0, "m/s", "speed of A at the start; B is at rest");
-  p.add_number("mass", 1.0, 1e-3, 1e3, "kg", "mass of A");
-  p.add_number("lower_mass", 2.0, 1e-3, 1e3, "kg", "mass of B");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of A and B");
-  p.add_number(
-      "ground_friction", 0.0, 0.0, 10.0, "-",
-      "Coulomb coefficient of the ground; B on the ground has the root of the product of both");
-  return p;
+  return Parameters{}
+      .add_number("speed", 2.0, 0.0, 3.0, "m/s", "speed of A at the start; B is at rest")
+      .add_number("mass", 1.0, 1e-3, 1e3, "kg", "mass of A")
+      .add_number("lower_mass", 2.0, 1e-3, 1e3, "kg", "mass of B")
+      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of A and B")
+      .add_number(
+          "ground_friction", 0.0, 0.0, 10.0, "-",
+          "Coulomb coefficient of the ground; B on the ground has the root of the product of both");
 }
 
 // A slows down and B is dragged along: on ground without friction both end at the speed
@@ -95,16 +91,15 @@ Scene fig5_2(const Parameters& p, Random) {
 }
 
 Parameters sled_parameters() {
-  Parameters p;
-  p.add_number("speed", 1.0, 0.0, 100.0, "m/s",
-               "speed of the sled at the start; its load is at rest");
-  p.add_whole("count", 2, 1, 100, "boxes on the sled, on top of each other");
-  p.add_number("sled_mass", 4.0, 1e-3, 1e3, "kg", "mass of the sled; a box has 1 kg");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of sled and boxes");
-  p.add_number("ground_friction", 0.0, 0.0, 10.0, "-",
-               "Coulomb coefficient of the ground; the sled on the ground has the root of the "
-               "product of both");
-  return p;
+  return Parameters{}
+      .add_number("speed", 1.0, 0.0, 100.0, "m/s",
+                  "speed of the sled at the start; its load is at rest")
+      .add_whole("count", 2, 1, 100, "boxes on the sled, on top of each other")
+      .add_number("sled_mass", 4.0, 1e-3, 1e3, "kg", "mass of the sled; a box has 1 kg")
+      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of sled and boxes")
+      .add_number("ground_friction", 0.0, 0.0, 10.0, "-",
+                  "Coulomb coefficient of the ground; the sled on the ground has the root of the "
+                  "product of both");
 }
 
 // Friction has to be handed on from box to box for the upper ones to come along. The boxes are
@@ -115,11 +110,9 @@ Scene sled(const Parameters& p, Random) {
   SceneBox sledge = box_at("sled", Vec3(3.0, 0.2, 1.0), Vec3(0.0, 0.1, 0.0), p.number("sled_mass"));
   sledge.velocity_w = Vec3(p.number("speed"), 0.0, 0.0);
   scene.boxes.push_back(sledge);
-  for (int k = 0; k < p.count("count"); ++k) {
-    SceneBox box = box_at("", Vec3(1.0, 0.2, 0.8), Vec3(0.5, 0.3 + 0.2 * k, 0.0), 1.0);
-    box.name = numbered("load", {k + 1});
-    scene.boxes.push_back(box);
-  }
+  for (int k = 0; k < p.count("count"); ++k)
+    scene.boxes.push_back(
+        box_at(numbered("load", {k + 1}), Vec3(1.0, 0.2, 0.8), Vec3(0.5, 0.3 + 0.2 * k, 0.0), 1.0));
   for (SceneBox& box : scene.boxes) box.friction = p.number("friction");
   scene.ground = SceneGround{p.number("ground_friction"), 0.0};
   return scene;

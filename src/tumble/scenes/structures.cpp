@@ -7,23 +7,9 @@
 namespace tumble::recipes {
 namespace {
 
-SceneBox unit_box(const std::string& name, const Vec3& position_w) {
-  SceneBox box;
-  box.name = name;
-  box.position_w = position_w;
-  return box;
-}
-
-void set_surface(const Parameters& p, Scene& scene) {
-  scene.ground.emplace();
-  scene.ground->friction = p.number("friction");
-  for (SceneBox& box : scene.boxes) box.friction = p.number("friction");
-}
-
 Parameters with_friction() {
-  Parameters p;
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of all bodies");
-  return p;
+  return Parameters{}.add_number("friction", 0.5, 0.0, 10.0, "-",
+                                 "Coulomb coefficient of all bodies");
 }
 
 Parameters stack_parameters() {
@@ -41,12 +27,11 @@ Scene stack(const Parameters& p, Random random) {
   scene.title = "a stack of " + std::to_string(p.count("count")) + " cubes";
   const double size = p.number("size");
   for (int k = 0; k < p.count("count"); ++k) {
-    SceneBox box = unit_box(numbered("level", {k + 1}), Vec3(0.0, (k + 0.5) * size, 0.0));
-    box.size = Vec3::Constant(size);
-    box.mass = p.number(k + 1 == p.count("count") ? "top_mass" : "mass");
-    scene.boxes.push_back(box);
+    scene.boxes.push_back(box_at(numbered("level", {k + 1}), Vec3::Constant(size),
+                                 Vec3(0.0, (k + 0.5) * size, 0.0),
+                                 p.number(k + 1 == p.count("count") ? "top_mass" : "mass")));
   }
-  set_surface(p, scene);
+  add_ground(p, scene);
   scatter(p, random, scene);
   return scene;
 }
@@ -63,7 +48,7 @@ Scene pyramid(const Parameters& p, Random random) {
   Scene scene;
   scene.title = "a flat pyramid of " + std::to_string(p.count("rows")) + " rows";
   build_pyramid(p.count("rows"), p.number("spacing"), scene);
-  set_surface(p, scene);
+  add_ground(p, scene);
   scatter(p, random, scene);
   return scene;
 }
@@ -88,12 +73,12 @@ Scene pyramid3d(const Parameters& p, Random random) {
       for (int k = 0; k < edge; ++k) {
         const double middle = 0.5 * (edge - 1);
         scene.boxes.push_back(
-            unit_box(numbered("l", {layer + 1, i + 1, k + 1}),
-                     Vec3((i - middle) * spacing, layer + 0.5, (k - middle) * spacing)));
+            box_at(numbered("l", {layer + 1, i + 1, k + 1}), Vec3::Ones(),
+                   Vec3((i - middle) * spacing, layer + 0.5, (k - middle) * spacing), 1.0));
       }
     }
   }
-  set_surface(p, scene);
+  add_ground(p, scene);
   scatter(p, random, scene);
   return scene;
 }
@@ -117,14 +102,11 @@ Scene wall(const Parameters& p, Random random) {
     for (int i = 0; i < p.count("bricks"); ++i) {
       const double shift = course % 2 == 0 ? 0.0 : 0.25 * size.x();
       const double x = (i - 0.5 * (p.count("bricks") - 1)) * (size.x() + p.number("gap")) + shift;
-      SceneBox brick =
-          unit_box(numbered("c", {course + 1, i + 1}), Vec3(x, (course + 0.5) * size.y(), 0.0));
-      brick.size = size;
-      brick.mass = 0.25;
-      scene.boxes.push_back(brick);
+      scene.boxes.push_back(box_at(numbered("c", {course + 1, i + 1}), size,
+                                   Vec3(x, (course + 0.5) * size.y(), 0.0), 0.25));
     }
   }
-  set_surface(p, scene);
+  add_ground(p, scene);
   scatter(p, random, scene);
   return scene;
 }
@@ -135,7 +117,8 @@ void build_pyramid(int rows, double spacing, Scene& scene) {
   for (int row = 0; row < rows; ++row) {
     for (int i = 0; i < rows - row; ++i) {
       const double x = (i - 0.5 * (rows - row - 1)) * spacing;
-      scene.boxes.push_back(unit_box(numbered("r", {row + 1, i + 1}), Vec3(x, row + 0.5, 0.0)));
+      scene.boxes.push_back(
+          box_at(numbered("r", {row + 1, i + 1}), Vec3::Ones(), Vec3(x, row + 0.5, 0.0), 1.0));
     }
   }
 }

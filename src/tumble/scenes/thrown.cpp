@@ -15,8 +15,7 @@ Parameters clump_parameters() {
   p.add_number("spacing", 2.0, 1.75, 100.0, "m", "distance of centres at the start");
   p.add_number("speed", 2.0, 0.0, 100.0, "m/s", "speed of each cube at the start");
   p.add_word("toward", {"axis", "origin"}, "target of the flight: the vertical axis or the origin");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
-  p.add_number("restitution", 0.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  add_surface(p, 0.5, 0.0);
   return p;
 }
 
@@ -36,10 +35,8 @@ Scene clump(const Parameters& p, Random random) {
     if (p.word("toward") == "axis") inward.y() = 0.0;
     const double length = inward.norm();
     if (length > 0.0) box.velocity_w = p.number("speed") / length * inward;
-    box.friction = p.number("friction");
-    box.restitution = p.number("restitution");
   }
-  scene.ground = SceneGround{p.number("friction"), p.number("restitution")};
+  add_bouncing_ground(p, scene);
   return scene;
 }
 
@@ -53,8 +50,7 @@ Parameters projectile_parameters() {
   p.add_number("height", 3.5, 0.5, 1e3, "m", "height of the projectile's centre");
   p.add_number("distance", 5.0, 1.5, 1e3, "m", "distance from the projectile to the target");
   p.add_number("appears", 2.0, 0.0, 1e3, "s", "time of the shot");
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
-  p.add_number("restitution", 0.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  add_surface(p, 0.5, 0.0);
   return p;
 }
 
@@ -69,18 +65,13 @@ Scene projectile(const Parameters& p, Random random) {
   double near_side = 0.0;
   for (const SceneBox& box : scene.boxes)
     near_side = std::max(near_side, box.position_w.z() + 0.5 * box.size.norm());
-  SceneBox shot;
-  shot.name = "projectile";
-  shot.mass = p.number("mass");
-  shot.position_w = Vec3(0.0, p.number("height"), near_side + p.number("distance"));
+  SceneBox shot =
+      box_at("projectile", Vec3::Ones(),
+             Vec3(0.0, p.number("height"), near_side + p.number("distance")), p.number("mass"));
   shot.velocity_w = Vec3(0.0, 0.0, -p.number("speed"));
   shot.appears = p.number("appears");
   scene.boxes.push_back(shot);
-  for (SceneBox& box : scene.boxes) {
-    box.friction = p.number("friction");
-    box.restitution = p.number("restitution");
-  }
-  scene.ground = SceneGround{p.number("friction"), p.number("restitution")};
+  add_bouncing_ground(p, scene);
   return scene;
 }
 
@@ -91,8 +82,7 @@ Parameters dice_parameters() {
   p.add_number("mass", 0.4, 1e-6, 1e6, "kg", "mass of a die");
   p.add_number("speed", 2.0, 0.0, 100.0, "m/s", "sideways, at the start");
   p.add_number("spin", 15.0, 0.0, 1e3, "rad/s", "at the start, about a random axis");
-  p.add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient");
-  p.add_number("restitution", 0.4, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  add_surface(p, 0.3, 0.4);
   return p;
 }
 
@@ -102,30 +92,26 @@ Scene dice(const Parameters& p, Random random) {
   const double size = p.number("size");
   for (int k = 0; k < p.count("count"); ++k) {
     Random chance = random.fork(static_cast<std::uint64_t>(k));
-    SceneBox die;
-    die.name = numbered("die", {k + 1});
-    die.size = Vec3::Constant(size);
-    die.mass = p.number("mass");
-    die.position_w = size * Vec3(2.0 * (k % 3 - 1), 4.0 + 2.0 * (k / 9), 2.0 * (k / 3 % 3 - 1));
+    SceneBox die =
+        box_at(numbered("die", {k + 1}), Vec3::Constant(size),
+               size * Vec3(2.0 * (k % 3 - 1), 4.0 + 2.0 * (k / 9), 2.0 * (k / 3 % 3 - 1)),
+               p.number("mass"));
     die.orientation_wb = chance.orientation();
     die.velocity_w = Vec3(p.number("speed"), 0.0, 0.0);
     die.angular_velocity_w = p.number("spin") * chance.direction();
-    die.friction = p.number("friction");
-    die.restitution = p.number("restitution");
     scene.boxes.push_back(die);
   }
-  scene.ground = SceneGround{p.number("friction"), p.number("restitution")};
+  add_bouncing_ground(p, scene);
   return scene;
 }
 
 Parameters cage_parameters() {
-  Parameters p;
-  p.add_whole("count", 20, 1, 1000, "cubes");
-  p.add_number("room", 2.0, 1.8, 100.0, "m", "edge of the space that each cube has at the start");
-  p.add_number("speed", 2.0, 0.0, 1e3, "m/s", "largest component of a cube's velocity");
-  p.add_number("spin", 2.0, 0.0, 1e3, "rad/s", "largest component of a cube's angular velocity");
-  p.add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
-  return p;
+  return Parameters{}
+      .add_whole("count", 20, 1, 1000, "cubes")
+      .add_number("room", 2.0, 1.8, 100.0, "m", "edge of the space that each cube has at the start")
+      .add_number("speed", 2.0, 0.0, 1e3, "m/s", "largest component of a cube's velocity")
+      .add_number("spin", 2.0, 0.0, 1e3, "rad/s", "largest component of a cube's angular velocity")
+      .add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
 }
 
 // Cubes in a closed cage without gravity: nothing rests, everything collides.
@@ -140,10 +126,8 @@ Scene cage(const Parameters& p, Random random) {
   const double thick = 1.0;
   for (int side = 0; side < 6; ++side) {
     const int axis = side / 2;
-    SceneBox wall;
-    wall.name = numbered("wall", {side + 1});
-    wall.fixed = true;
-    wall.size = Vec3::Constant(inside + 2.0 * thick);
+    SceneBox wall =
+        fixed_at(numbered("wall", {side + 1}), Vec3::Constant(inside + 2.0 * thick), Vec3::Zero());
     wall.size[axis] = thick;
     wall.position_w[axis] = (side % 2 == 0 ? -0.5 : 0.5) * (inside + thick);
     scene.boxes.push_back(wall);
@@ -151,9 +135,8 @@ Scene cage(const Parameters& p, Random random) {
   for (int k = 0; k < count; ++k) {
     Random chance = random.fork(static_cast<std::uint64_t>(k));
     const Vec3 cell(k % per_edge, k / per_edge % per_edge, k / (per_edge * per_edge));
-    SceneBox box;
-    box.name = numbered("box", {k + 1});
-    box.position_w = (cell - Vec3::Constant(0.5 * (per_edge - 1))) * p.number("room");
+    SceneBox box = box_at(numbered("box", {k + 1}), Vec3::Ones(),
+                          (cell - Vec3::Constant(0.5 * (per_edge - 1))) * p.number("room"), 1.0);
     box.orientation_wb = chance.orientation();
     box.velocity_w = chance.in_cube(p.number("speed"));
     box.angular_velocity_w = chance.in_cube(p.number("spin"));
@@ -170,8 +153,7 @@ Parameters toss_parameters() {
   Parameters p;
   p.add_number("size", 0.1048, 1e-3, 100.0, "m", "edge of the cube");
   p.add_number("mass", 0.37, 1e-6, 1e6, "kg", "mass of the cube");
-  p.add_number("friction", 0.18, 0.0, 10.0, "-", "Coulomb coefficient");
-  p.add_number("restitution", 0.125, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  add_surface(p, 0.18, 0.125);
   return p;
 }
 
@@ -181,20 +163,15 @@ Parameters toss_parameters() {
 Scene toss(const Parameters& p, Random random) {
   Scene scene;
   scene.title = "a cube tossed onto a table";
-  SceneBox cube;
-  cube.name = "cube";
-  cube.size = Vec3::Constant(p.number("size"));
-  cube.mass = p.number("mass");
+  SceneBox cube = box_at("cube", Vec3::Constant(p.number("size")), Vec3::Zero(), p.number("mass"));
   cube.position_w.y() = p.number("size") * random.uniform(1.18, 1.57);  // 0.124 to 0.165 m
   cube.orientation_wb = random.orientation();
   const double speed = random.uniform(1.03, 1.35);
   cube.velocity_w = Vec3(speed, random.uniform(-0.18, 0.26), 0.0);
   const double spin = random.uniform(0.6, 6.7);
   cube.angular_velocity_w = spin * random.direction();
-  cube.friction = p.number("friction");
-  cube.restitution = p.number("restitution");
-  scene.ground = SceneGround{p.number("friction"), p.number("restitution")};
   scene.boxes.push_back(cube);
+  add_bouncing_ground(p, scene);
   return scene;
 }
 
@@ -204,8 +181,7 @@ void build_clump(int per_edge, double spacing, Random random, Scene& scene) {
   for (int k = 0; k < per_edge * per_edge * per_edge; ++k) {
     Random chance = random.fork(static_cast<std::uint64_t>(k));
     const Vec3 cell(k % per_edge, k / (per_edge * per_edge), k / per_edge % per_edge);
-    SceneBox box;
-    box.name = numbered("box", {k + 1});
+    SceneBox box = box_at(numbered("box", {k + 1}), Vec3::Ones(), Vec3::Zero(), 1.0);
     box.position_w = spacing * (cell - Vec3(0.5 * (per_edge - 1), 0.0, 0.5 * (per_edge - 1)));
     box.position_w.y() += 0.5 * spacing;
     box.orientation_wb = chance.orientation();

@@ -12,11 +12,11 @@ namespace tumble::recipes {
 namespace {
 
 Parameters line_parameters() {
-  Parameters p;
-  p.add_text("boxes", "0:2,1.5:0,3.4:-1", "place and speed of each cube, as x:v in edges and m/s");
-  p.add_number("size", 1.0, 1e-3, 1e3, "m", "edge of the cubes");
-  p.add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
-  return p;
+  return Parameters{}
+      .add_text("boxes", "0:2,1.5:0,3.4:-1",
+                "place and speed of each cube, as x:v in edges and m/s")
+      .add_number("size", 1.0, 1e-3, 1e3, "m", "edge of the cubes")
+      .add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
 }
 
 // Reads a number that ends at a character or at the end of the text; takes it off the text.
@@ -66,16 +66,15 @@ Scene line(const Parameters& p, Random) {
 }
 
 Parameters fig5_1_parameters() {
-  Parameters p;
-  p.add_number("size", 0.1, 1e-3, 1e3, "m", "edge of the cubes");
-  p.add_number("fast", 24.0, 0.0, 1e4, "m/s", "speed of A");
-  p.add_number("slow", 1.2, 0.0, 1e4, "m/s", "speed of D");
-  p.add_number("gap_ab", 0.6, 0.0, 100.0, "-", "gap between A and B at the start, in edges");
-  p.add_number("gap_bc", 1.3, 0.0, 100.0, "-", "gap between B and C at the start, in edges");
-  p.add_number("gap_cd", 0.2, 0.0, 100.0, "-", "gap between C and D at the start, in edges");
-  p.add_number("gap_de", 0.13, 0.0, 100.0, "-", "gap between D and E at the start, in edges");
-  p.add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
-  return p;
+  return Parameters{}
+      .add_number("size", 0.1, 1e-3, 1e3, "m", "edge of the cubes")
+      .add_number("fast", 24.0, 0.0, 1e4, "m/s", "speed of A")
+      .add_number("slow", 1.2, 0.0, 1e4, "m/s", "speed of D")
+      .add_number("gap_ab", 0.6, 0.0, 100.0, "-", "gap between A and B at the start, in edges")
+      .add_number("gap_bc", 1.3, 0.0, 100.0, "-", "gap between B and C at the start, in edges")
+      .add_number("gap_cd", 0.2, 0.0, 100.0, "-", "gap between C and D at the start, in edges")
+      .add_number("gap_de", 0.13, 0.0, 100.0, "-", "gap between D and E at the start, in edges")
+      .add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
 }
 
 // In a frame of 1/60 s the fast cube A flies over B and ends in C; D ends in E. With these gaps D

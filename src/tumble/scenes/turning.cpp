@@ -20,10 +20,8 @@ void add_common(Parameters& p) {
 
 // The larger box, with its top at kTop and its edge to the right of the pivot; the pivot is at x = 0.
 void add_larger(const Parameters& p, Scene& scene) {
-  SceneBox larger =
-      box_at("larger", Vec3(4.0, kTop, 4.0), Vec3(p.number("inset") - 2.0, 0.5 * kTop, 0.0), 1.0);
-  larger.fixed = true;
-  scene.boxes.push_back(larger);
+  scene.boxes.push_back(
+      fixed_at("larger", Vec3(4.0, kTop, 4.0), Vec3(p.number("inset") - 2.0, 0.5 * kTop, 0.0)));
 }
 
 // A box that turns about a point of its own, given where that point is and how it moves.
