@@ -4,7 +4,6 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/filtering/tolerances.hpp"
 #include "tumble/pictures/gif.hpp"
 #include "tumble/pictures/gltf.hpp"
 #include "tumble/record/table_file.hpp"
@@ -23,6 +22,7 @@ namespace tumble::app {
 namespace {
 
 constexpr double kRate = 25.0;                  // [1/s]
+constexpr double kOnTheGrid = 2.5e-7;           // [-] of an interval: sums of steps are off by less
 constexpr double kMostFrames = 20000;           // 13 minutes
 constexpr int kGifWidth = 480;                  // [px]
 constexpr int kVideoWidth = 960;                // [px]
@@ -62,7 +62,7 @@ std::vector<RecordedFrame> frames_of(const RenderRequest& request, const Recorde
   const Range range = range_of(request, run);
   std::vector<RecordedFrame> frames;
   if (interval) {
-    const double last = std::floor((range.to - range.from) / *interval + tolerance::on_the_grid);
+    const double last = std::floor((range.to - range.from) / *interval + kOnTheGrid);
     require::that(last < kMostFrames, shortest_text(last + 1.0) +
                                           " frames: expected 20000 at most; take a part with "
                                           "--from and --to, or raise --speed");

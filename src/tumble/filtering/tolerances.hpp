@@ -33,10 +33,6 @@ inline constexpr double adaptive_overlap = 0.02;
 /// amplitude from which on a body counts as chattering, a thousandth. (6.3.1)
 inline constexpr double adaptive_shake = 5e-4;
 
-/// [-] Share of the interval by which the last frame of a film may come after the end of its run. Reason: sums of
-/// steps are off by rounding, 1e-12 of the run and less; a millionth of an interval is not seen. (5.5)
-inline constexpr double on_the_grid = 2.5e-7;
-
 /// [-] Largest displacement of a resting body's corners from their first places in a detector's window,
 /// over the shortest edge. Reason: a tenth of the amplitude at which chatter becomes visible; at 1 m a
 /// creep of 0.25 mm/s. (6.3.1)
