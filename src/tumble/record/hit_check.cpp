@@ -13,9 +13,7 @@ namespace tumble {
 void HitCheck::on_begin(const World& world) {
   time_ = world.time();
   events_.clear();
-  speeds_.clear();
-  for (std::size_t k = 0; k < idx(world.count()); ++k)
-    speeds_.push_back(velocity(world.bodies()[k], world.states()[k]).norm());
+  before_.assign(world.states().begin(), world.states().end());
 }
 
 void HitCheck::on_change(const World& world, double /*energy_added*/) { on_begin(world); }
@@ -24,30 +22,41 @@ void HitCheck::on_event(const Event& event) { events_.push_back(event); }
 
 void HitCheck::on_step(const World& world, const StepReport& /*report*/) {
   status_ = StepStatus::done;
-  const double dt = world.time() - time_;
-  looked_at_.assign(speeds_.size(), 0);
-  for (auto event = events_.rbegin(); event != events_.rend(); ++event) {
-    for (const BodyId body : {event->first, event->second}) {
-      const std::size_t k = idx(world.index_of(body));
-      if (looked_at_[k] != 0 || !world.bodies()[k].movable()) continue;
-      looked_at_[k] = 1;
-      look(world, *event, body, speeds_[k], dt);
-    }
-  }
+  if (!events_.empty()) find_speeds(world);
+  for (const Event& event : events_)
+    for (const BodyId body : {event.first, event.second}) look(world, event, body);
   on_begin(world);
 }
 
-void HitCheck::look(const World& world, const Event& event, BodyId id, double speed_before,
-                    double dt) {
+// No body was faster in the step than before and after it and all its impulses together.
+void HitCheck::find_speeds(const World& world) {
+  speeds_.clear();
+  for (std::size_t k = 0; k < before_.size(); ++k) {
+    const BodyProperties& body = world.bodies()[k];
+    speeds_.push_back(velocity(body, before_[k]).norm() + velocity(body, world.states()[k]).norm());
+  }
+  for (const Event& event : events_) {
+    for (const BodyId id : {event.first, event.second}) {
+      const std::size_t k = idx(world.index_of(id));
+      speeds_[k] += event.impulse_w.norm() * world.bodies()[k].inverse_mass;
+    }
+  }
+}
+
+void HitCheck::look(const World& world, const Event& event, BodyId id) {
   const int k = world.index_of(id);
   const BodyProperties& body = world.bodies()[idx(k)];
-  const BodyState& state = world.states()[idx(k)];
-  const Vec3 velocity_w = velocity(body, state);
   const double half_edge = 0.5 * body.size.minCoeff();
-  if (!(dt * std::max(speed_before, velocity_w.norm()) > half_edge)) return;
-  const Vec3 place_w = state.position_w - (world.time() - event.time) * velocity_w;
+  const double dt = world.time() - time_;
+  const double speed = speeds_[idx(k)];
+  if (!body.movable() || !(dt * speed > half_edge)) return;
+  const auto away_from = [&](const BodyState& state, double time) {
+    return (event.point_w - state.position_w).norm() - 0.5 * body.size.norm() -
+           std::abs(event.time - time) * speed;
+  };
+  const double away =
+      std::max(away_from(before_[idx(k)], time_), away_from(world.states()[idx(k)], world.time()));
   const double fall = 0.5 * world.gravity_w.norm() * dt * dt;
-  const double away = (event.point_w - place_w).norm() - 0.5 * body.size.norm();
   if (!(away > half_edge + fall)) return;
   status_ = StepStatus::held_by_nothing;
   find(world, world.name(k) + " was hit " + rounded_text(away, 3) +

@@ -8,8 +8,8 @@
 
 namespace tumble {
 
-/// From its last collision in a step a body flies to where the step ends, with the velocity that it has there. So it was at
-/// the point of the impulse when that acted: within half its shortest edge.
+/// When an impulse acts at a point, the body is there, within half its shortest edge: it has come from where the step began, and
+/// gets to where the step ends, no faster than its speeds before and after and all its impulses in the step allow.
 ///
 /// A technique that lets impulses act at predicted poses stops a fast body where the step began instead, up to its way in a
 /// step before it arrives. Collisions of bodies that move by less than half their shortest edge in the step are not looked
@@ -24,12 +24,13 @@ class HitCheck : public RunCheck {
   void on_step(const World& world, const StepReport& report) override;
 
  private:
-  void look(const World& world, const Event& event, BodyId body, double speed_before, double dt);
+  void find_speeds(const World& world);
+  void look(const World& world, const Event& event, BodyId body);
 
-  double time_ = 0.0;            // [s] before the step
-  std::vector<double> speeds_;   // [m/s] of each body, ditto
-  std::vector<Event> events_;    // of this step
-  std::vector<char> looked_at_;  // by index: not 0 if its last collision has been looked at
+  double time_ = 0.0;              // [s] before the step
+  std::vector<BodyState> before_;  // ditto
+  std::vector<Event> events_;      // of this step
+  std::vector<double> speeds_;     // [m/s] of each body in it, at most
 };
 
 }  // namespace tumble
