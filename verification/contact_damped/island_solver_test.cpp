@@ -206,8 +206,7 @@ TEST_CASE("A solution does not depend on what was solved before, and allocates n
   TestIsland other("stack", {{"count", "7"}}, 0.0, 1);
   other.solve(solver, 60, 1e-5);
   const std::vector<MovingBody> again = solved();
-  for (std::size_t k = 0; k < first.size(); ++k)
-    CHECK(again[k].velocity_w == first[k].velocity_w);
+  for (std::size_t k = 0; k < first.size(); ++k) CHECK(again[k].velocity_w == first[k].velocity_w);
   TestIsland warm("stack", {{"count", "5"}}, 0.0, 1);
   const AllocationCount count;
   warm.solve(solver, 60, 1e-5);
