@@ -27,12 +27,15 @@ namespace {
 constexpr std::size_t kMostBoxes = 8;  // of a scene that is also simulated
 constexpr int kMostRows = 8;           // of a problem that is also solved
 constexpr int kSteps = 3;
+constexpr double kFastSpin = 1000.0;  // [rad] in a step
 // A run is written to files and read from them for one input in so many, and read from memory for the others, which takes
 // a fifth of the time. A test replays inputs from files.
 #ifdef TUMBLE_FUZZ_SEARCH
 constexpr std::size_t kInputsPerFolder = 32;
+constexpr std::size_t kScenesPerFastSpin = 32;  // that are simulated
 #else
 constexpr std::size_t kInputsPerFolder = 1;
+constexpr std::size_t kScenesPerFastSpin = 1;
 #endif
 
 std::string_view text_of(Bytes bytes) {
@@ -49,6 +52,14 @@ Halves halves_of(Bytes bytes) {
   const std::size_t nul = text.find('\0');
   if (nul == std::string_view::npos) return {text, {}};
   return {text.substr(0, nul), text.substr(nul + 1)};
+}
+
+// Steps in which a body rotates by a thousand radians and more have as many parts; a search that has found such scenes would
+// try little else.
+bool is_slow(const Scene& scene) {
+  return std::any_of(scene.boxes.begin(), scene.boxes.end(), [](const SceneBox& box) {
+    return kTimeStep * box.angular_velocity_w.norm() > kFastSpin;
+  });
 }
 
 void simulate(const Scene& scene) {
@@ -123,6 +134,7 @@ void fuzz_scene(Bytes bytes) {
   promise(!refuses([&] { again = parse_scene(written, "again.toml"); }),
           "a scene that was written is refused");
   promise(to_toml(again) == written, "a scene that was written reads back as another one");
+  if (is_slow(scene) && bytes.size() % kScenesPerFastSpin != 0) return;
   if (scene.boxes.size() <= kMostBoxes) refuses([&] { simulate(scene); });
 }
 

@@ -185,12 +185,15 @@ bool AugmentedLagrangianSolver::contradiction(const LcpProblem& problem) {
 }
 
 // Lets the bodies move until they are in balance with the springs, or as good as; then takes over
-// the springs' forces. Returns false at the cap.
+// the springs' forces. Returns false at the cap, which holds for steps too.
 bool AugmentedLagrangianSolver::settle(const LcpProblem& problem, double enough,
                                        int& factorisations) {
   std::fill(moved_.begin(), moved_.end(), Vec6(Vec6::Zero()));
   std::fill(sag_.begin(), sag_.end(), 0.0);
+  // In numbers too far apart for sums, steps with factors that are known may change nothing for ever.
+  int steps = 0;
   for (bool full = false;;) {
+    if (steps++ > options_.factorisations) return false;
     const bool guessed = guess_;
     guess_ = false;
     load_springs(problem, !guessed);

@@ -15,8 +15,8 @@ namespace tumble {
 struct AugmentedLagrangianOptions {
   double residual = tolerance::multiplier_residual;  ///< [-] good enough, see lcp_residual()
   double softness = tolerance::contact_softness;     ///< [-] of the springs to begin with, up to 1
-  int factorisations = 1000;                         ///< [-] at most; at least 0
-  int rounds = 1000;                                 ///< [-] at most; at least 0
+  int factorisations = 1000;  ///< [-] at most, and steps in a round; at least 0
+  int rounds = 1000;          ///< [-] at most; at least 0
   bool warm = false;  ///< begin with the forces in `result`, if it has n of them; else with 0
 };
 
