@@ -18,12 +18,7 @@ constexpr double kGravity = 9.81;  // [m/s²]
 constexpr std::array<std::string_view, 2> kBoth = {"contact_damped", "time_stepping"};
 
 SceneBox box(const std::string& name, const Vec3& size, const Vec3& position_w, double friction) {
-  SceneBox made;
-  made.name = name;
-  made.size = size;
-  made.position_w = position_w;
-  made.friction = friction;
-  return made;
+  return {.name = name, .size = size, .position_w = position_w, .friction = friction};
 }
 
 Quat about_z(double angle) { return Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ())); }
@@ -38,15 +33,6 @@ World after(const Scene& scene, std::string_view technique, double duration, dou
   CAPTURE(technique, result.findings);
   CHECK(result.worst == StepStatus::done);
   return simulation.world();
-}
-
-BodyState state(const World& world, std::string_view name) {
-  return world.states()[static_cast<std::size_t>(world.index_of(name))];
-}
-
-Vec3 speed(const World& world, std::string_view name) {
-  const auto k = static_cast<std::size_t>(world.index_of(name));
-  return velocity(world.bodies()[k], world.states()[k]);
 }
 
 }  // namespace
@@ -66,8 +52,8 @@ TEST_CASE("A cube on its edge drives two blocks apart by the closed form", "[exa
     CAPTURE(technique);
     const World world = after(scene, technique, time, 1.0 / 480.0);
     // The first step moves by its end velocity: g/3 dt t/2 more, 1 %.
-    CHECK(state(world, "right").position_w.x() - 0.7 == near(way).margin(0.02 * way));
-    CHECK(0.8 + half_diagonal - state(world, "wedge").position_w.y() ==
+    CHECK(world.body("right").position_w().x() - 0.7 == near(way).margin(0.02 * way));
+    CHECK(0.8 + half_diagonal - world.body("wedge").position_w().y() ==
           near(way).margin(0.02 * way));
   }
 }
@@ -87,8 +73,8 @@ TEST_CASE("A plate that is thrown across a slope of its angle of friction ends w
   scene.boxes[1].velocity_w = Vec3(0.0, 0.0, 4.0);
   const World world = after(scene, "contact_damped", 12.0, 1.0 / 60.0);
   const Vec3 downhill_w(-std::cos(slope), -std::sin(slope), 0.0);
-  CHECK(speed(world, "plate").dot(downhill_w) == near(2.0).margin(0.02));
-  CHECK(speed(world, "plate").z() == near(0.0).margin(0.02));
+  CHECK(world.body("plate").velocity_w().dot(downhill_w) == near(2.0).margin(0.02));
+  CHECK(world.body("plate").velocity_w().z() == near(0.0).margin(0.02));
 }
 
 TEST_CASE("A box that slides easily pushes one that brakes, with the mean of both frictions",
@@ -104,8 +90,8 @@ TEST_CASE("A box that slides easily pushes one that brakes, with the mean of bot
     CAPTURE(technique);
     const World world = after(scene, technique, 2.0, 1.0 / 60.0);
     // A step of 3 m/s · dt / 2 is 2.5 cm.
-    CHECK(state(world, "front").position_w.x() - 1.0 == near(way).margin(0.025));
-    CHECK(state(world, "front").position_w.x() - state(world, "rear").position_w.x() ==
+    CHECK(world.body("front").position_w().x() - 1.0 == near(way).margin(0.025));
+    CHECK(world.body("front").position_w().x() - world.body("rear").position_w().x() ==
           near(1.0).margin(1e-3));
   }
 }
@@ -128,7 +114,7 @@ TEST_CASE("A cube tips over a curb from the closed-form speed on", "[exact][tech
       scene.boxes[0].fixed = true;
       scene.boxes[1].velocity_w = Vec3(share * threshold, 0.0, 0.0);
       const World world = after(scene, technique, 3.0, 1.0 / 240.0);
-      CHECK((state(world, "cube").position_w.x() > 0.6) == (share > 1.0));
+      CHECK((world.body("cube").position_w().x() > 0.6) == (share > 1.0));
     }
   }
 }
@@ -152,9 +138,8 @@ TEST_CASE("A rod that lands with one end on an edge turns by the closed form",
     for (const std::string_view technique : kBoth) {
       CAPTURE(technique, restitution);
       const World world = after(scene, technique, 0.03, 1.0 / 960.0);
-      const auto k = static_cast<std::size_t>(world.index_of("rod"));
-      CHECK(speed(world, "rod").y() == near(impulse - 2.0).margin(0.01));
-      CHECK(angular_velocity(world.bodies()[k], world.states()[k]).z() ==
+      CHECK(world.body("rod").velocity_w().y() == near(impulse - 2.0).margin(0.01));
+      CHECK(world.body("rod").angular_velocity_w().z() ==
             near(arm * impulse / inertia).margin(0.01));
     }
   }

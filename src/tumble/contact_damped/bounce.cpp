@@ -48,11 +48,7 @@ bool sweep_bounce(const Island& island, StepReport& report) {
 // Normal impulses of all points at once, friction held: a light body between heavy ones would need thousands of sweeps.
 void solve_bounce(const Island& island, IslandSolver& solver, std::vector<MovingBody>& held,
                   StepReport& report) {
-  held.resize(island.now.size());
-  for (const int contact : island.patch_indices) {
-    const ContactPatch& patch = island.all_patches[idx(contact)];
-    for (const int k : {patch.first, patch.second}) held[idx(k)] = island.now[idx(k)];
-  }
+  copy_bodies(island, island.now, held);
   for (const int contact : island.patch_indices) {
     const ContactPatch& patch = island.all_patches[idx(contact)];
     Six normal{};

@@ -185,6 +185,15 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
   return most;
 }
 
+void copy_bodies(const Island& island, std::span<const MovingBody> from,
+                 std::vector<MovingBody>& to) {
+  to.resize(from.size());
+  for (const int contact : island.patch_indices) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    for (const int k : {patch.first, patch.second}) to[idx(k)] = from[idx(k)];
+  }
+}
+
 void discard_impulses(const Island& island) {
   for (const int contact : island.patch_indices) {
     ContactPatch& patch = island.all_patches[idx(contact)];

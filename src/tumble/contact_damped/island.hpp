@@ -121,6 +121,13 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 /// \param island  `now` is changed
 void velocities_from_impulses(const Island& island);
 
+/// Copies the bodies of an island's patches, the immovable ones too.
+/// \param island  the island
+/// \param from    by body index
+/// \param to      by body index; those of other islands stay as they are
+void copy_bodies(const Island& island, std::span<const MovingBody> from,
+                 std::vector<MovingBody>& to);
+
 /// Sets all impulses to 0.
 /// \param island  `now` is `free` again
 void discard_impulses(const Island& island);

@@ -96,11 +96,7 @@ double sweep_without_gain(const Island& island, const IslandPlan& plan, StepRepo
 
 // Velocities without contacts, with a share of the impulses of friction, which becomes all of them.
 void hold_friction(const Island& island, double share, std::vector<MovingBody>& held) {
-  held.resize(island.free.size());
-  for (const int contact : island.patch_indices) {
-    const ContactPatch& patch = island.all_patches[idx(contact)];
-    for (const int k : {patch.first, patch.second}) held[idx(k)] = island.free[idx(k)];
-  }
+  copy_bodies(island, island.free, held);
   for (const int contact : island.patch_indices) {
     ContactPatch& patch = island.all_patches[idx(contact)];
     Six friction{};

@@ -15,7 +15,7 @@ namespace tumble {
 /// step before it arrives. Collisions of bodies that move by less than half their shortest edge in the step are not looked
 /// at. The status is StepStatus::held_by_nothing.
 /// \par Cost
-/// A comparison for each collision.
+/// A copy of all states in each step, and a comparison for each collision.
 class HitCheck : public RunCheck {
  public:
   void on_begin(const World& world) override;

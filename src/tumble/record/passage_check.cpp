@@ -103,7 +103,7 @@ void PassageCheck::on_overlap(const World& world, double deepest) {
     const Box first = core_of(world.bodies()[a], before_[a], 0.0);
     const Box second = core_of(world.bodies()[b], before_[b], 0.0);
     if (separation(first, second).distance < 0.0) continue;
-    entered_.push_back({{a, before_[a], turn_of(world, a)}, {b, before_[b], turn_of(world, b)}});
+    note_entered(world, a, b);
   }
   before_.swap(last_before_);
   std::swap(time_, last_time_);
@@ -124,6 +124,12 @@ double PassageCheck::turn_of(const World& world, std::size_t k) const {
       std::max(angular_velocity(body, before_[k]).norm(), angular_velocity(body, after).norm());
   return std::max(angle_between(before_[k].orientation_wb, after.orientation_wb),
                   spin * (world.time() - time_));
+}
+
+// Two bodies that the step has brought into each other.
+void PassageCheck::note_entered(const World& world, std::size_t first, std::size_t second) {
+  const auto entering = [&](std::size_t k) { return Entering{k, before_[k], turn_of(world, k)}; };
+  entered_.push_back({entering(first), entering(second)});
 }
 
 // Pairs that a step left in each other: whether they are apart now, and where.
@@ -179,7 +185,7 @@ void PassageCheck::look_for_passages(const World& world) {
       find_passage(world, a, b);
       return;
     }
-    entered_.push_back({{a, before_[a], turn_of(world, a)}, {b, before_[b], turn_of(world, b)}});
+    note_entered(world, a, b);
   }
 }
 
@@ -230,7 +236,7 @@ void PassageCheck::look_for_turns(const World& world) {
       return core_of(world.bodies()[k], world.states()[k], 0.0);
     };
     if (separation(now(a), now(b)).distance < 0.0) {
-      entered_.push_back({{a, before_[a], turn_of(world, a)}, {b, before_[b], turn_of(world, b)}});
+      note_entered(world, a, b);
       continue;
     }
     find_passage(world, a, b);

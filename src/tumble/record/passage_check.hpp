@@ -46,6 +46,7 @@ class PassageCheck : public RunCheck {
   [[nodiscard]] Turn turn_in_step(const World& world, std::size_t k) const;
   [[nodiscard]] bool turns_into(const World& world, std::size_t first, const Turn& turn_of_first,
                                 std::size_t second, const Turn& turn_of_second) const;
+  void note_entered(const World& world, std::size_t first, std::size_t second);
   void look_at_entered(const World& world);
   void find_passage(const World& world, std::size_t first, std::size_t second);
   [[nodiscard]] double turn_of(const World& world, std::size_t k) const;
