@@ -105,7 +105,7 @@ double ContactDamped::step_part(World& world, double dt, int k, StepReport& repo
   // by islands of bodies that touch each other.
   // 3. Impulses that stop all approach, and sliding as far as friction can.
   solve(world, dt, report);
-  const bool may_divide = k < kMostBounces && 2 * storage_.work < options_.budget;
+  const bool may_divide = k < kMostBounces && storage_.work < 2 * options_.budget;
   if (const FirstBounce first = may_divide ? first_bounce(world, dt) : FirstBounce{dt, -1};
       first.time < dt) {
     shorten(dt, first.time, world);
@@ -203,7 +203,7 @@ void ContactDamped::shorten(double dt, double part, const World& world) {
 
 void ContactDamped::find_patches(World& world, double dt, StepReport& report) {
   PersistentManifolds& manifolds = memory_.manifolds;
-  forget_bounces();
+  forget_impacts(world);
   double impulse_ratio = memory_.last_dt > 0.0 ? dt / memory_.last_dt : 1.0;
   for (;;) {
     find_candidates(world, velocities_.free, dt);
@@ -247,7 +247,8 @@ Island ContactDamped::view_of_island(const World& world, int k, double dt) {
           storage_.start_wb,
           velocities_.start,
           velocities_.free,
-          velocities_.end};
+          velocities_.end,
+          memory_.order.levels(k)};
 }
 
 }  // namespace tumble

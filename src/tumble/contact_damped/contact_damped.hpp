@@ -45,7 +45,8 @@ struct ContactDampedOptions {
   int admm_iterations = 100;
   /// Work on a large island in motion. If its patches times `admm_iterations` exceed it, the island is only swept: budget
   /// over patches times, but at least `sweeps` times and at most 24, or 100 if little of it moves (or `sweeps`, if more).
-  /// A step is not divided any more for bounces that follow each other when it has cost half as much.
+  /// A step is not divided any more for bounces that follow each other when it has cost twice as much. A quiet island that
+  /// costs too much to solve at once is swept within it, too, as long as that holds it up.
   /// Of 1000 cubes that fall together a step takes about 20 ms so.
   int budget = 50000;
   int correction_sweeps = 50;  ///< of the overlap correction, at most; at least 1
@@ -73,8 +74,9 @@ struct ContactDampedOptions {
 /// 3. Each island is solved by solve_island(). It starts with the impulses of the step before and one Gauss-Seidel
 ///    sweep down; if that changes something, one up. If it is not settled, plan_island() chooses: a bounded number of sweeps in
 ///    a heap in which much moves; where little of a large island does, sweeps as long as they converge; more sweeps where it
-///    slides or is nearly done; all patches at once (IslandSolver) elsewhere, and where sweeps were not enough. Impulses that
-///    would add much energy are corrected by sweeps. Where much moves and bodies would still sink deeply, all patches at once
+///    slides, is nearly done, or is a large heap that comes to rest; all patches at once (IslandSolver) elsewhere, and where
+///    sweeps were not enough. Impulses that would add much energy are corrected by sweeps. Where much moves and bodies would
+///    still sink deeply, all patches at once
 ///    are tried, too; where they sink all the same, normal impulses are found by themselves. An island is solved again where
 ///    bodies are sent into others that were out of reach, and where they turn so far that they sink along the way.
 /// 4. Bodies that push something immovable, or others that do, move with their velocity at the end of the step; the others fly
@@ -85,7 +87,7 @@ struct ContactDampedOptions {
 ///    these velocities; where they do not settle, all normal impulses are solved for together. A row of touching bodies that
 ///    is hit leaves as one piece, apart from the body that hit it; across gaps, one bounce follows the other, in up to
 ///    kMostBounces parts of the step. Where that asks for more energy than there is, limit_bounce() takes as much of it as
-///    there is.
+///    there is. An impact is over then: its impulses are not the start of the next step (forget_impacts()).
 /// 6. Overlap beyond a slop is corrected by displacements; a body keeps its velocity in its own frame, and so its energy.
 /// 7. Islands at rest are put to sleep if that is on.
 ///
@@ -140,6 +142,8 @@ class ContactDamped : public Technique {
     std::vector<MovingBody> end;            // with impulses
     std::vector<MovingBody> before_bounce;  // `end` before something bounced: bodies moved with it
   };
+  // How an island took an impact: nothing hit it, it stopped what did, or it bounced.
+  enum class Impact : std::uint8_t { none, stopped, bounced };
   // Storage of one step, kept so that a warm step allocates nothing.
   struct Storage {
     double step = 0.0;  // [s] the whole step
@@ -153,7 +157,7 @@ class ContactDamped : public Technique {
     std::vector<char> in_flight;        // by body index: pushed by nothing that is held
     std::vector<char> sinks;            // by body index: it would, carried by others
     std::vector<char> hit;              // by patch: an impact too fast to stick
-    std::vector<char> bounced;          // by patch: something in its island bounced
+    std::vector<Impact> impacts;        // by patch: whether its island was hit
     std::vector<PushedPair> pushed;     // pairs with an impulse
     std::vector<Quat> start_wb;         // orientations at the start of the step
     std::vector<PatchImpulses>
@@ -195,7 +199,7 @@ class ContactDamped : public Technique {
   bool carry(int k, double dt, World& world, StepReport& report) const;
   void move(World& world, double dt, StepReport& report);
   void bounce(World& world, double dt, StepReport& report);
-  void forget_bounces();
+  void forget_impacts(const World& world);
   void correct_overlaps(World& world, double dt, StepReport& report);
   void store_bounced_velocities(World& world);
   void account(const World& world, StepReport& report) const;

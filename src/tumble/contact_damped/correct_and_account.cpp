@@ -20,7 +20,7 @@ bool overlaps_by(const ContactPatch& patch, double share) {
                      [&](const ContactPatchPoint& p) { return -p.gap > share * patch.size; });
 }
 
-bool overlaps(const ContactPatch& patch) { return overlaps_by(patch, tolerance::contact_slop); }
+bool overlaps(const ContactPatch& patch) { return overlaps_by(patch, tolerance::repair_start); }
 
 // Sweeps of the overlap correction, from the ground up.
 void correct_island(const Island& island, int sweeps, std::span<OverlapCorrection> corrections,
@@ -54,7 +54,7 @@ void correct_island(const Island& island, int sweeps, std::span<OverlapCorrectio
 
 }  // namespace
 
-// Overlap beyond the slop is corrected in all islands that have some.
+// Overlap near the slop or beyond is corrected in all islands that have some.
 void ContactDamped::correct_overlaps(World& world, double dt, StepReport& report) {
   const std::vector<ContactPatch>& patches = memory_.manifolds.patches();
   if (std::none_of(patches.begin(), patches.end(), overlaps)) return;

@@ -77,11 +77,14 @@ double shortest_edge(const Island& island) {
   return size;
 }
 
+double gravity_in_step(double gravity, double size, double dt) {
+  return gravity > 0.0 ? gravity * dt : tolerance::weightless_speed * size / dt;
+}
+
 double negligible_residual(const Island& island) {
   const double g = island.world.gravity_w.norm();
-  const double speed =
-      g > 0.0 ? g * island.dt : tolerance::weightless_speed * shortest_edge(island) / island.dt;
-  return tolerance::contact_settled * speed;
+  return tolerance::contact_settled *
+         gravity_in_step(g, g > 0.0 ? 0.0 : shortest_edge(island), island.dt);
 }
 
 SpeedRange speed_range(const Island& island) {
@@ -131,6 +134,18 @@ double deepest_sinking(const Island& island) {
     deepest = std::max(deepest, island.dt * approach_in(patch, island) / patch.size);
   }
   return deepest;
+}
+
+double share_falling(const Island& island) {
+  Vec3 gained_w = Vec3::Zero();  // [kg m/s]
+  Vec3 given_w = Vec3::Zero();   // by gravity
+  for (const int k : island.bodies) {
+    const double mass = island.world.bodies()[idx(k)].mass;
+    gained_w += mass * (island.now[idx(k)].velocity_w - island.start[idx(k)].velocity_w);
+    given_w += mass * island.dt * island.world.gravity_w;
+  }
+  const double square = given_w.squaredNorm();
+  return square > 0.0 ? gained_w.dot(given_w) / square : 0.0;
 }
 
 double overlap_of_sinking(const Island& island) {

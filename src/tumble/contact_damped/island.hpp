@@ -25,12 +25,20 @@ struct Island {
       start;                         ///< velocities before gravity, places at the start of the step
   std::span<const MovingBody> free;  ///< with gravity, without contacts
   std::span<MovingBody> now;         ///< with the impulses so far
+  int levels = 0;                    ///< of support, see IslandOrder::levels()
 };
 
 /// The shortest edge of a body in an island's patches.
 /// \param island  with a patch at least
 /// \return [m]
 [[nodiscard]] double shortest_edge(const Island& island);
+
+/// The speed that gravity gives in a step, or what stands for it where there is none.
+/// \param gravity  [m/s^2] its magnitude
+/// \param size     [m] shortest edge
+/// \param dt       [s] of the step
+/// \return [m/s] see tolerance::weightless_speed
+[[nodiscard]] double gravity_in_step(double gravity, double size, double dt);
 
 /// The residual that counts as none: a share of the speed that gravity gives in a step, or without gravity of
 /// the shortest edge in a step.
@@ -110,6 +118,11 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 /// \param island  with velocities `now`
 /// \return [-] the deepest, as a share of the shortest edge of its pair
 [[nodiscard]] double deepest_sinking(const Island& island);
+
+/// How much of its weight an island is not held up by: its momentum gains that share of what gravity gives it in the step.
+/// \param island  with velocities `now`
+/// \return [-] 0 at rest, 1 in free fall, below 0 if it is slowed down; 0 without gravity
+[[nodiscard]] double share_falling(const Island& island);
 
 /// How deep the points of an island that sink by more than tolerance::sinking in the step will be: that, and the overlap
 /// that is there.

@@ -36,6 +36,7 @@ void IslandOrder::build(const World& world, std::span<const ContactPatch> patche
   graph_.build(world.bodies(), edges_);
   order_.clear();
   start_.assign(1, 0);
+  levels_.clear();
   const auto level = [&](int patch) {
     const IndexPair& pair = pairs_[idx(patch)];
     return std::max(graph_.level(pair.first), graph_.level(pair.second));
@@ -46,6 +47,7 @@ void IslandOrder::build(const World& world, std::span<const ContactPatch> patche
     std::sort(order_.begin() + start_.back(), order_.end(),
               [&](int a, int b) { return level(a) != level(b) ? level(a) < level(b) : a < b; });
     start_.push_back(static_cast<int>(order_.size()));
+    levels_.push_back(contacts.empty() ? 0 : level(order_.back()));
   }
 }
 

@@ -35,14 +35,20 @@ class IslandOrder {
   /// \return places of patches
   [[nodiscard]] std::span<const int> upward(int island) const;
 
+  /// How high an island is.
+  /// \param island from 0
+  /// \return the highest level of a body in it, the ground's being 0
+  [[nodiscard]] int levels(int island) const { return levels_[static_cast<std::size_t>(island)]; }
+
  private:
   void build(const World& world, std::span<const ContactPatch> patches);
 
   Islands islands_;
   ContactGraph graph_;
   std::vector<SupportEdge> edges_;
-  std::vector<int> order_;  // places of patches, island by island
-  std::vector<int> start_;  // of an island in order_
+  std::vector<int> order_;   // places of patches, island by island
+  std::vector<int> start_;   // of an island in order_
+  std::vector<int> levels_;  // by island
   // What they were found for.
   int body_count_ = -1;
   Vec3 gravity_w_ = Vec3::Zero();

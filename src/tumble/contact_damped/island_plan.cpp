@@ -216,6 +216,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   if (moves(speed) && !small)
     plan.direct.early_stop_residual = tolerance::moving_residual * unit_speed;
   if (first.nearly_solved) plan.direct.near = tolerance::nearly_solved * negligible;
+  plan.quiet = quiet && effort.admm_iterations > 0;
   plan.sweep_unconverged = moves(speed) && small;
   plan.direct.unit_speed = unit_speed;
   plan.direct.max_work = tolerance::max_factor_work;
@@ -230,6 +231,20 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
        {&plan.max_sweeps, &plan.direct.max_iterations, &plan.direct.max_newton_steps})
     *count = (*count + effort.parts - 1) / effort.parts;
   return plan;
+}
+
+bool is_flat(const Island& island, const IslandEffort& effort) {
+  return island.levels <= swept_within(island, effort, tolerance::loose_sweeps);
+}
+
+void sweep_quiet_island(const Island& island, const IslandEffort& effort, IslandPlan& plan) {
+  const double negligible = negligible_residual(island);
+  plan.method = IslandMethod::sweep_then_direct;
+  plan.max_sweeps = swept_within(island, effort, tolerance::loose_sweeps);
+  plan.residual = tolerance::solved_residual_exact * negligible;
+  plan.skipped_residual = tolerance::solved_residual_exact * negligible;
+  plan.fair_residual = tolerance::fair_quiet_residual * negligible / tolerance::contact_settled;
+  plan.fair_falling = tolerance::fair_falling;
 }
 
 }  // namespace tumble

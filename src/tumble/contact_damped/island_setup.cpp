@@ -79,6 +79,26 @@ void IslandSolver::load(std::span<const int> bodies, std::span<const int> contac
   unit_mass_ = std::ldexp(1.0, -power);
 }
 
+bool IslandSolver::costs_more_than(double most, std::span<const int> bodies,
+                                   std::span<const int> contacts,
+                                   std::span<const ContactPatch> patches) {
+  joined_.clear();
+  int last = 0;
+  for (const int body : bodies) last = std::max(last, body);
+  member_of_.resize(std::max(member_of_.size(), idx(last + 1)), -1);
+  int members = 0;
+  for (const int body : bodies) member_of_[idx(body)] = members++;
+  const auto member = [&](int body) { return body <= last ? member_of_[idx(body)] : -1; };
+  for (const int contact : contacts) {
+    const int first = member(patches[idx(contact)].first);
+    const int second = member(patches[idx(contact)].second);
+    if (first >= 0 && second >= 0) joined_.push_back({first, second});
+  }
+  for (const int body : bodies) member_of_[idx(body)] = -1;
+  matrix_.analyse(members, joined_);
+  return static_cast<double>(matrix_.multiplications_of_factor()) > most;
+}
+
 // Whether factors would. Finds out where they have entries.
 bool IslandSolver::costs_too_much(double max_work) {
   matrix_.analyse(static_cast<int>(members_.size()), joined_);

@@ -110,6 +110,15 @@ class IslandSolver {
                      const IslandLimits& limits, std::span<const MovingBody> free,
                      std::span<ContactPatch> patches, std::span<MovingBody> now);
 
+  /// Whether one factorization of an island's matrix takes more multiplications than that.
+  /// \param most      [-] multiplications
+  /// \param bodies    indices of the island's movable bodies
+  /// \param contacts  places of its patches in `patches`
+  /// \param patches   the patches of the step
+  /// \return true if so
+  bool costs_more_than(double most, std::span<const int> bodies, std::span<const int> contacts,
+                       std::span<const ContactPatch> patches);
+
   /// Finds the normal impulses with which nothing approaches, friction held as it is.
   ///
   /// Without the cones' coupling the problem is convex with one solution, and the Newton steps of solve() find it

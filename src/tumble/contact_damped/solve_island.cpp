@@ -7,6 +7,7 @@
 #include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace tumble {
@@ -42,7 +43,7 @@ bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& f
     if (residual > 0.5 * before) break;
     before = residual;
   }
-  return residual < plan.fair_residual;
+  return residual < plan.fair_residual && std::abs(share_falling(island)) < plan.fair_falling;
 }
 
 // All patches together. Returns whether the direct solver accepted the island, and how far it got. In a small one that moves a
@@ -183,7 +184,11 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
   // One sweep from the top down, as weight goes: at rest it finds nothing
   // to do. Another one up, as support goes, shows whether sweeps converge.
   const FirstSweeps first = sweep_first(island, direct_last_step, report);
-  const IslandPlan plan = plan_island(island, first, effort());
+  IslandPlan plan = plan_island(island, first, effort());
+  if (plan.quiet && is_flat(island, effort()) &&
+      memory_.island_solver.costs_more_than(tolerance::quiet_factor_work, island.bodies,
+                                            island.patch_indices, island.all_patches))
+    sweep_quiet_island(island, effort(), plan);
   if (plan.discard_warm_start) discard_impulses(island);
   accept(island, plan, run_plan(island, plan, first, report), report);
   // [S6.3.1:island]
