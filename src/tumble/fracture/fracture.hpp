@@ -55,7 +55,6 @@ class Fracture {
   /// \return the body
   [[nodiscard]] const ElasticMesh& mesh() const { return mesh_; }
   /// The body, to be changed from outside between steps: loads, velocities, nodes that are held.
-  /// \return its mesh
   [[nodiscard]] ElasticMesh& mesh() { return mesh_; }
   /// \return the boxes around it
   [[nodiscard]] const World& rigid() const { return rigid_; }

@@ -20,8 +20,6 @@ struct BlockPair {
 };
 
 /// Whether two pairs are the same.
-/// \param a  the one
-/// \param b  the other
 /// \return true if both agree
 inline bool operator==(const BlockPair& a, const BlockPair& b) {
   return a.first == b.first && a.second == b.second;

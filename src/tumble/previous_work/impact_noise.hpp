@@ -19,16 +19,12 @@ struct ImpactName {
 };
 
 /// The order of names.
-/// \param a  the one
-/// \param b  the other
 /// \return true if a is before b: by the first body, the second, then the number
 [[nodiscard]] inline bool operator<(const ImpactName& a, const ImpactName& b) {
   return std::tie(a.first, a.second, a.number) < std::tie(b.first, b.second, b.number);
 }
 
 /// Whether two names are the same.
-/// \param a  the one
-/// \param b  the other
 /// \return true for the same impact
 [[nodiscard]] inline bool operator==(const ImpactName& a, const ImpactName& b) {
   return std::tie(a.first, a.second, a.number) == std::tie(b.first, b.second, b.number);

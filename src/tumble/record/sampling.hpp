@@ -45,7 +45,6 @@ class SceneSampler {
   /// Runs the motion of some noise as run_simulation() does.
   /// \param noise      of its impacts
   /// \param observers  called in this order
-  /// \return how it ended
   /// \throws std::invalid_argument as run_scene() does
   RunResult run(const ImpactNoise& noise, std::span<RunObserver* const> observers) const;
 
@@ -55,7 +54,6 @@ class SceneSampler {
   [[nodiscard]] SimulateNoise simulate(const std::atomic<bool>& stop) const;
 
   /// The scene.
-  /// \return checked
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
  private:

@@ -27,8 +27,6 @@ struct SceneRecipe {
 const std::vector<SceneRecipe>& scene_library();
 
 /// One built-in scene.
-/// \param name its name
-/// \return the recipe
 /// \throws std::invalid_argument listing the names if there is none of this name
 const SceneRecipe& scene_recipe(std::string_view name);
 

@@ -16,16 +16,12 @@ struct ForeseenCollision {
 };
 
 /// Equality of predicted collisions.
-/// \param a  first
-/// \param b  second
 /// \return true if pair and time agree
 inline bool operator==(const ForeseenCollision& a, const ForeseenCollision& b) {
   return a.time == b.time && a.pair == b.pair;
 }
 
 /// Order of predicted collisions: by time, then by the indices of the bodies.
-/// \param a  first
-/// \param b  second
 /// \return true if a comes before b
 inline bool operator<(const ForeseenCollision& a, const ForeseenCollision& b) {
   return a.time != b.time ? a.time < b.time : a.pair < b.pair;
@@ -52,11 +48,9 @@ class CollisionHeap {
   void insert(const ForeseenCollision& collision);
 
   /// Drops all collisions of a body.
-  /// \param body its index
   void forget(int body);
 
   /// Whether the queue is empty.
-  /// \return true if so
   [[nodiscard]] bool empty() const { return heap_.empty(); }
 
   /// The earliest collision.
