@@ -6,7 +6,6 @@
 #include "tumble/record/run_files.hpp"
 #include "tumble/scenes/scene.hpp"
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>

@@ -131,7 +131,7 @@ class Analytic : public Technique {
   /// \throws std::invalid_argument for a value out of range, a solver that there is not, or the one
   ///         that tries everything, which is for a few contacts only; for stable boxes with friction
   explicit Analytic(const AnalyticOptions& options = {});
-  /// A copy with all memory.
+  /// A copy with all memory; its storage begins empty.
   Analytic(const Analytic& other);
   Analytic& operator=(const Analytic&) = delete;
   ~Analytic() override = default;

@@ -9,7 +9,6 @@
 #include "tumble/dynamics/world.hpp"
 
 #include <span>
-#include <vector>
 
 namespace tumble {
 

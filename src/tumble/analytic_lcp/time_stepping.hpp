@@ -84,8 +84,6 @@ class TimeStepping : public Technique {
   /// Makes the technique.
   /// \throws std::invalid_argument for a number of directions other than 4 or 8
   explicit TimeStepping(const TimeSteppingOptions& options = {});
-  /// A copy with all memory; its storage begins empty.
-  TimeStepping(const TimeStepping& other);
 
   [[nodiscard]] std::string_view name() const override { return "time_stepping"; }
   StepReport step(World& world, double dt) override;

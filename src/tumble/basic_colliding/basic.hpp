@@ -56,8 +56,6 @@ class Basic : public Technique {
   /// Makes the technique.
   /// \throws std::invalid_argument for a resolution not above 0 or a cap below 1
   explicit Basic(const BasicOptions& options = {});
-  /// A copy with all memory; its storage begins empty.
-  Basic(const Basic& other);
 
   [[nodiscard]] std::string_view name() const override { return "basic"; }
   StepReport step(World& world, double dt) override;

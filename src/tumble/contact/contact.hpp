@@ -9,7 +9,6 @@
 #include "tumble/geometry/manifold.hpp"
 
 #include <array>
-#include <span>
 #include <vector>
 
 namespace tumble {

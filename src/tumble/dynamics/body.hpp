@@ -30,16 +30,10 @@ struct BodyProperties {
   /// Whether forces move it.
   /// \return false for an immovable body
   [[nodiscard]] bool movable() const { return inverse_mass > 0.0; }
-};
 
-/// Whether two bodies have the same constant parts.
-/// \return true if all numbers agree
-[[nodiscard]] inline bool operator==(const BodyProperties& a, const BodyProperties& b) {
-  return a.shape == b.shape && a.size == b.size && a.mass == b.mass &&
-         a.inverse_mass == b.inverse_mass && a.inertia_b == b.inertia_b &&
-         a.inverse_inertia_b == b.inverse_inertia_b && a.friction == b.friction &&
-         a.restitution == b.restitution;
-}
+  /// Compares all numbers.
+  bool operator==(const BodyProperties&) const = default;
+};
 
 /// The state of a body: all that changes. The thesis integrates momenta, and so do we.
 struct BodyState {

@@ -53,6 +53,18 @@ class World {
   ///         that is taken, or a mass too far from others (see MassRange); the world is then as before
   BodyId add(const BodyProperties& body, const BodyState& state, std::string name = "");
 
+  /// Adds a body without a name of its own, see make_state() for where it is and how it moves.
+  /// \param position_w          [m] of its centre of mass
+  /// \param orientation_wb      [-] body to world, length 1
+  /// \param velocity_w          [m/s] of its centre of mass
+  /// \param angular_velocity_w  [rad/s]
+  /// \return as above
+  BodyId add(const BodyProperties& body, const Vec3& position_w,
+             const Quat& orientation_wb = Quat::Identity(), const Vec3& velocity_w = Vec3::Zero(),
+             const Vec3& angular_velocity_w = Vec3::Zero()) {
+    return add(body, make_state(body, position_w, orientation_wb, velocity_w, angular_velocity_w));
+  }
+
   /// Removes a body and its joints. Its id is never given again. Whatever slept on it is the technique's to wake.
   /// \throws std::invalid_argument if there is no such body
   void remove(BodyId id);

@@ -8,7 +8,6 @@
 #include "tumble/geometry/bounding_tree.hpp"
 
 #include <memory>
-#include <string_view>
 #include <vector>
 
 namespace tumble {
@@ -65,8 +64,6 @@ class AdaptiveStep : public WrappedTechnique {
   /// \param inner  the technique; its thresholds should depend on the step that it is given
   /// \throws std::invalid_argument for no technique, or an option out of range
   explicit AdaptiveStep(std::unique_ptr<Technique> inner, const AdaptiveStepOptions& options = {});
-  /// A copy with all memory; its storage begins empty.
-  AdaptiveStep(const AdaptiveStep& other);
 
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;

@@ -6,7 +6,6 @@
 #include "tumble/filtering/chatter_detector.hpp"
 
 #include <memory>
-#include <string_view>
 #include <vector>
 
 namespace tumble {

@@ -8,7 +8,6 @@
 #include "tumble/base/types.hpp"
 
 #include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 

@@ -10,7 +10,6 @@
 #include "tumble/fracture/outside.hpp"
 
 #include <limits>
-#include <span>
 #include <vector>
 
 namespace tumble {

@@ -4,6 +4,7 @@
 
 #include "tumble/geometry/box.hpp"
 
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -16,19 +17,10 @@ namespace tumble {
 struct IndexPair {
   int first = 0;   ///< the smaller index
   int second = 0;  ///< the larger one
+
+  /// Orders pairs by the first index, then by the second.
+  auto operator<=>(const IndexPair&) const = default;
 };
-
-/// Whether two pairs are the same.
-/// \return true if both indices agree
-inline bool operator==(const IndexPair& a, const IndexPair& b) {
-  return a.first == b.first && a.second == b.second;
-}
-
-/// The order of pairs: by the first index, then by the second.
-/// \return true if a comes before b
-inline bool operator<(const IndexPair& a, const IndexPair& b) {
-  return a.first != b.first ? a.first < b.first : a.second < b.second;
-}
 
 /// A way to find all pairs of bounds that overlap without trying every pair.
 ///

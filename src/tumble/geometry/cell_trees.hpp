@@ -5,7 +5,6 @@
 #include "tumble/geometry/broad_phase.hpp"
 
 #include <array>
-#include <limits>
 
 namespace tumble {
 

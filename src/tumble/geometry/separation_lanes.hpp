@@ -7,7 +7,6 @@
 /// vector instructions.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

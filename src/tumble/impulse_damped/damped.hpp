@@ -109,8 +109,6 @@ class Damped : public Technique {
   /// Makes the technique.
   /// \throws std::invalid_argument for a number of passes below 0, or constants out of range
   explicit Damped(const DampedOptions& options = {});
-  /// A copy with all memory; its storage begins empty.
-  Damped(const Damped& other);
 
   [[nodiscard]] std::string_view name() const override { return "damped"; }
   StepReport step(World& world, double dt) override;

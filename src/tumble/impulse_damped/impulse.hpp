@@ -131,8 +131,6 @@ class Impulse : public Technique {
   /// Makes the technique.
   /// \throws std::invalid_argument for a count below 1 or a negative threshold
   explicit Impulse(const ImpulseOptions& options = {});
-  /// A copy with all memory; its storage begins empty.
-  Impulse(const Impulse& other);
 
   [[nodiscard]] std::string_view name() const override { return "impulse"; }
   StepReport step(World& world, double dt) override;

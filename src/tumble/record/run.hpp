@@ -7,9 +7,7 @@
 #include "tumble/record/metrics.hpp"
 #include "tumble/scenes/simulation.hpp"
 
-#include <filesystem>
 #include <functional>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
