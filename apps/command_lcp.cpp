@@ -57,8 +57,7 @@ std::vector<char> equalities_of(const std::string& text, int size) {
 LcpProblem read_problem(const LcpRequest& request) {
   require::that(!request.matrix.empty() && !request.vector.empty(),
                 "--matrix and --vector are needed, a Matrix Market file each");
-  LcpProblem problem;
-  problem.A = read_matrix_market(request.matrix);
+  LcpProblem problem{.A = read_matrix_market(request.matrix)};
   require::that(problem.A.rows() == problem.A.cols(),
                 request.matrix + ": " + size_text(problem.A) + ": expected a square matrix");
   const MatX b = read_matrix_market(request.vector);

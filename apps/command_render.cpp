@@ -11,7 +11,6 @@
 #include "png.hpp"
 #include "request.hpp"
 
-#include <array>
 #include <cstdio>
 
 namespace tumble::app {
@@ -87,9 +86,8 @@ std::string draw_still(const RenderRequest& request, const RecordedRun& run) {
   for (const double time : times_of(request, run)) moments.push_back(nearest_frame(run, time));
 
   // One camera for all frames, so that a viewer can compare them.
-  Film film;
-  film.frames = shown_frames(run, moments, direction_w);
-  film.floor = run.scene.ground.has_value();
+  Film film{.frames = shown_frames(run, moments, direction_w),
+            .floor = run.scene.ground.has_value()};
   std::vector<PictureBox> all;
   for (const FilmFrame& frame : film.frames)
     all.insert(all.end(), frame.boxes.begin(), frame.boxes.end());

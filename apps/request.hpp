@@ -6,7 +6,6 @@
 #include "tumble/record/run_files.hpp"
 #include "tumble/scenes/scene.hpp"
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -58,9 +57,9 @@ void apply(const std::vector<std::string>& settings, Parameters& scene, Paramete
 
 /// The folder for output: the one that was typed, or a new one in runs/. A finished output in it is replaced only with
 /// --force.
-/// \param request as typed
-/// \param kind    second part of the new folder's name, for example the technique
-/// \param last    the file by which a finished output is recognised
+/// \param request  as typed
+/// \param kind     second part of the new folder's name, for example the technique
+/// \param last     the file by which a finished output is recognised
 /// \return the folder, which need not exist
 /// \throws std::invalid_argument if the folder that was typed holds a finished output or the scene file that is read
 std::filesystem::path output_folder(const Request& request, const std::string& kind,
@@ -85,14 +84,14 @@ Scene resolve_scene(const Request& request);
 int run_command(const Request& request);
 
 /// Runs and records as `tumble run` does.
-/// \param request as typed
-/// \param folder  becomes the folder of the run
+/// \param request  as typed
+/// \param folder   becomes the folder of the run
 /// \return the exit code
 int run_into(const Request& request, std::filesystem::path& folder);
 
 /// `tumble view`: a page of a recorded run, opened in the browser.
-/// \param request as typed; the scene may be the folder of a recorded run
-/// \param open    whether the browser is started
+/// \param request  as typed; the scene may be the folder of a recorded run
+/// \param open     whether the browser is started
 /// \return the exit code
 int view_command(const Request& request, bool open);
 
@@ -134,7 +133,6 @@ bool is_sampling(const std::filesystem::path& folder);
 
 /// The file of a sampled motion.
 /// \param motion from 1
-/// \return its name
 std::string motion_file(int motion);
 
 /// The table that is drawn.
@@ -194,10 +192,10 @@ int solve_lcp(const LcpRequest& request);
 int list_lcp_solvers();
 
 /// `tumble scenes`.
-/// \param name     one scene to describe; empty: list all
-/// \param as_toml  print it as a scene file
-/// \param settings parameters for as_toml
-/// \param seed     for scenes with chance in them
+/// \param name      one scene to describe; empty: list all
+/// \param as_toml   print it as a scene file
+/// \param settings  parameters for as_toml
+/// \param seed      for scenes with chance in them
 /// \return the exit code
 int list_scenes(const std::string& name, bool as_toml, const std::vector<std::string>& settings,
                 std::uint64_t seed);

@@ -21,7 +21,6 @@ inline constexpr std::string_view kSettingsFile = "sampling.txt";
 
 /// The file of a chain.
 /// \param chain from 1
-/// \return its name
 std::string chain_file(int chain);
 
 /// All files that a folder of `tumble sample` may have.
@@ -59,11 +58,11 @@ ChainCounts counts_of(const std::vector<NoiseChain>& chains);
 class ChainWatch {
  public:
   /// Prepares both.
-  /// \param folder  gets the tables; published as soon as there is a motion
-  /// \param chains  which go on
-  /// \param samples motions that are wanted
-  /// \param label   what runs
-  /// \param quiet   no line
+  /// \param folder   gets the tables; published as soon as there is a motion
+  /// \param chains   which go on
+  /// \param samples  motions that are wanted
+  /// \param label    what runs
+  /// \param quiet    no line
   ChainWatch(OutputFolder& folder, const std::vector<NoiseChain>& chains, int samples,
              std::string label, bool quiet);
   ~ChainWatch();

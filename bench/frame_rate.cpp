@@ -34,10 +34,7 @@ struct Times {
 };
 
 Times run(const std::string& technique, int per_edge) {
-  const SceneRecipe& recipe = scene_recipe("fig6_7");
-  Parameters parameters = recipe.parameters();
-  parameters.set("per_edge", std::to_string(per_edge));
-  Simulation simulation(recipe.build(parameters, Random(1)), technique);
+  Simulation simulation(make_scene("fig6_7", {"per_edge=" + std::to_string(per_edge)}), technique);
   Times times;
   double used = 0.0;
   for (int k = 0; k < kSteps && used < kBudget; ++k) {
@@ -47,7 +44,7 @@ Times run(const std::string& technique, int per_edge) {
     used += times.steps.back();
   }
   times.ended = times.steps.size() == static_cast<std::size_t>(kSteps);
-  std::sort(times.steps.begin(), times.steps.end());
+  std::ranges::sort(times.steps);
   return times;
 }
 

@@ -44,7 +44,7 @@ double time_of(const std::function<void()>& prepare, const std::function<void()>
     times.push_back(took.count());
     sum += took.count();
   }
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   return times[times.size() / 2];
 }
 

@@ -19,7 +19,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace {
@@ -124,15 +123,14 @@ void add_ours(const std::vector<Pair>& pairs, std::vector<Routine>& out) {
 }
 
 double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return values[values.size() / 2];
 }
 
 // Depths against the exact smallest overlap, over the pairs that the routine reports as touching.
 void print_row(const Routine& routine, const std::vector<Pair>& pairs) {
-  tumble::SeparationOptions exact;
-  exact.prefer_faces = false;
-  exact.enough = std::numeric_limits<double>::infinity();
+  tumble::SeparationOptions exact{.prefer_faces = false,
+                                  .enough = std::numeric_limits<double>::infinity()};
   double hits = 0.0, points = 0.0, sum = 0.0, worst = 0.0;
   int wrong = 0;
   for (std::size_t k = 0; k < pairs.size(); ++k) {

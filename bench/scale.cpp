@@ -27,15 +27,6 @@ namespace {
 
 constexpr double kStep = 1.0 / 60.0;  // [s]
 
-Scene built_in(const std::string& name, const std::string& key, int value,
-               const std::string& other = "", int other_value = 0) {
-  const SceneRecipe& recipe = scene_recipe(name);
-  Parameters p = recipe.parameters();
-  p.set(key, std::to_string(value));
-  if (!other.empty()) p.set(other, std::to_string(other_value));
-  return recipe.build(p, Random(1));
-}
-
 // A square field with per_edge² stacks of four cubes.
 Scene field(int per_edge) {
   constexpr double kSpacing = 2.0;  // [m] centre to centre
@@ -44,9 +35,7 @@ Scene field(int per_edge) {
   for (int i = 0; i < per_edge; ++i)
     for (int k = 0; k < per_edge; ++k)
       for (int level = 0; level < 4; ++level) {
-        SceneBox box;
-        box.position_w = {i * kSpacing, 0.5 + level, k * kSpacing};
-        scene.boxes.push_back(box);
+        scene.boxes.push_back(SceneBox{.position_w = {i * kSpacing, 0.5 + level, k * kSpacing}});
       }
   return scene;
 }
@@ -123,15 +112,15 @@ int main(int argc, char** argv) {
     }
     Table walls("wall", state);
     for (const double share : kShares) {
-      const int courses = static_cast<int>(std::lround(std::sqrt(share * most)));
-      const Scene scene = built_in("wall", "courses", courses, "bricks", courses);
+      const std::string courses = std::to_string(std::lround(std::sqrt(share * most)));
+      const Scene scene = make_scene("wall", {"courses=" + courses, "bricks=" + courses});
       walls.add(scene, measured(scene, sleeping, 1.0, 2.0));
     }
   }
   Table clumps("clump", "falls");
   for (const double share : kShares) {
     const Scene scene =
-        built_in("clump", "per_edge", static_cast<int>(std::lround(std::cbrt(share * most))));
+        make_scene("clump", {"per_edge=" + std::to_string(std::lround(std::cbrt(share * most)))});
     clumps.add(scene, measured(scene, false, 0.0, 2.0));
   }
   return 0;

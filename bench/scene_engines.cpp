@@ -35,15 +35,15 @@ class OwnEngine : public Engine {
   bool write_back(World& world, double /*dt*/) override {
     if (report_.status == StepStatus::event_cap) ++capped_;
     const auto states = world.states();
-    return std::all_of(states.begin(), states.end(), [](const tumble::BodyState& s) {
+    return std::ranges::all_of(states, [](const tumble::BodyState& s) {
       return s.position_w.allFinite() && s.orientation_wb.coeffs().allFinite();
     });
   }
 
   [[nodiscard]] int asleep(const World& world) const override {
     const auto rests = world.sleep_states();
-    return static_cast<int>(std::count_if(
-        rests.begin(), rests.end(), [](const tumble::SleepState& rest) { return rest.asleep; }));
+    return static_cast<int>(
+        std::ranges::count_if(rests, [](const tumble::SleepState& rest) { return rest.asleep; }));
   }
 
   [[nodiscard]] std::string note() const override {
@@ -74,8 +74,8 @@ std::vector<std::string> parts_of(std::string_view text) {
 
 bool in_library(std::string_view name) {
   const auto& all = tumble::technique_library();
-  return std::any_of(all.begin(), all.end(),
-                     [name](const tumble::TechniqueRecipe& recipe) { return recipe.name == name; });
+  return std::ranges::any_of(
+      all, [name](const tumble::TechniqueRecipe& recipe) { return recipe.name == name; });
 }
 
 }  // namespace
@@ -84,12 +84,7 @@ EngineChoice technique_choice(std::string_view text) {
   const std::vector<std::string> parts = parts_of(text);
   const tumble::TechniqueRecipe& recipe = tumble::technique_recipe(parts[0]);
   Parameters options = recipe.options();
-  for (std::size_t k = 1; k < parts.size(); ++k) {
-    const std::size_t equals = parts[k].find('=');
-    if (equals == std::string::npos)
-      throw std::invalid_argument("\"" + parts[k] + "\": expected key=value");
-    options.set(parts[k].substr(0, equals), parts[k].substr(equals + 1));
-  }
+  for (std::size_t k = 1; k < parts.size(); ++k) options.assign(parts[k]);
   EngineChoice choice;
   choice.name = text;
   choice.make = [&recipe, options](const World&, bool sleeping) -> std::unique_ptr<Engine> {

@@ -5,30 +5,16 @@
 #include "tumble/scenes/library.hpp"
 
 #include <array>
-#include <initializer_list>
 #include <string_view>
-#include <utility>
 
 namespace scene_bench {
 namespace {
 
 using tumble::Scene;
-using Settings = std::initializer_list<std::pair<std::string_view, std::string_view>>;
-
-constexpr std::uint64_t kSeed = 1;  // orientations in the clumps
-
-Scene built_in(std::string_view name, const Settings& settings) {
-  const tumble::SceneRecipe& recipe = tumble::scene_recipe(name);
-  tumble::Parameters p = recipe.parameters();
-  for (const auto& [key, value] : settings) p.set(key, value);
-  return recipe.build(p, tumble::Random(kSeed));
-}
-
 // Cubes on the ground that touch nothing else.
 Scene lying(int per_edge) {
   constexpr double kSpacing = 1.5;  // [m] centre to centre
-  Scene scene;
-  scene.title = "cubes that lie on the ground";
+  Scene scene{.title = "cubes that lie on the ground"};
   scene.ground.emplace();
   for (int i = 0; i < per_edge; ++i) {
     for (int k = 0; k < per_edge; ++k) {
@@ -46,24 +32,23 @@ Scene lying(int per_edge) {
 std::vector<SceneChoice> all_scenes() {
   std::vector<SceneChoice> out;
   const auto structure = [&out](const char* name, std::string_view recipe,
-                                const Settings& settings) {
-    out.push_back({name, built_in(recipe, settings)});
+                                const std::vector<std::string>& settings = {}) {
+    out.push_back({name, tumble::make_scene(recipe, settings)});
   };
-  structure("stack10", "stack", {{"count", "10"}});
-  structure("pyramid10", "pyramid", {{"rows", "10"}});
-  structure("pyramid20", "pyramid", {{"rows", "20"}});
-  structure("pyramid3d8", "pyramid3d", {{"rows", "8"}});
-  structure("wall", "wall", {});
-  structure("mass200", "stack", {{"count", "2"}, {"top_mass", "200"}});
-  structure("mass1000", "stack", {{"count", "2"}, {"top_mass", "1000"}});
-  for (const auto& [name, recipe, key, value] :
-       {std::array{"projectile", "projectile", "rows", "10"},
-        std::array{"clump125", "clump", "per_edge", "5"},
-        std::array{"clump1000", "clump", "per_edge", "10"}}) {
-    structure(name, recipe, {{key, value}});
+  structure("stack10", "stack", {"count=10"});
+  structure("pyramid10", "pyramid", {"rows=10"});
+  structure("pyramid20", "pyramid", {"rows=20"});
+  structure("pyramid3d8", "pyramid3d", {"rows=8"});
+  structure("wall", "wall");
+  structure("mass200", "stack", {"count=2", "top_mass=200"});
+  structure("mass1000", "stack", {"count=2", "top_mass=1000"});
+  for (const auto& [name, recipe, setting] : {std::array{"projectile", "projectile", "rows=10"},
+                                              std::array{"clump125", "clump", "per_edge=5"},
+                                              std::array{"clump1000", "clump", "per_edge=10"}}) {
+    structure(name, recipe, {setting});
     out.back().structure = false;
   }
-  structure("pyramid20_asleep", "pyramid", {{"rows", "20"}});
+  structure("pyramid20_asleep", "pyramid", {"rows=20"});
   out.back().sleeping = true;
   out.push_back({"sleep10000", lying(100), 5.0});
   out.back().sleeping = true;

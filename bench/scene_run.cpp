@@ -16,7 +16,7 @@ constexpr std::size_t kWarmSteps = 10;  // not counted: storage grows, caches fi
 // The value that a share of the values does not exceed; 0 without values.
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   const double place = std::ceil(share * static_cast<double>(values.size())) - 1.0;
   return values[static_cast<std::size_t>(std::max(place, 0.0))];
 }

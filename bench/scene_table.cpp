@@ -31,8 +31,8 @@ std::string outcome_of(const Outcome& run, bool structure) {
 }
 
 const Outcome* find(const std::vector<Outcome>& runs, const std::string& name) {
-  const auto at = std::find_if(runs.begin(), runs.end(),
-                               [&name](const Outcome& run) { return run.engine == name; });
+  const auto at =
+      std::ranges::find_if(runs, [&name](const Outcome& run) { return run.engine == name; });
   return at == runs.end() ? nullptr : &*at;
 }
 

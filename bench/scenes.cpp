@@ -78,15 +78,13 @@ std::vector<SceneChoice> chosen_scenes(const Request& request) {
   std::string names;
   for (const SceneChoice& scene : all) names.append(" ").append(scene.name);
   for (const std::string& name : request.scenes) {
-    if (std::none_of(all.begin(), all.end(),
-                     [&name](const SceneChoice& scene) { return scene.name == name; }))
+    if (std::ranges::none_of(all, [&name](const SceneChoice& scene) { return scene.name == name; }))
       throw std::invalid_argument("--scene " + name + ": expected one of" + names);
   }
   std::vector<SceneChoice> out;
   for (SceneChoice& scene : all) {
     const auto& asked = request.scenes;
-    if (!asked.empty() && std::find(asked.begin(), asked.end(), scene.name) == asked.end())
-      continue;
+    if (!asked.empty() && std::ranges::find(asked, scene.name) == asked.end()) continue;
     if (request.seconds > 0.0) scene.seconds = request.seconds;
     out.push_back(scene);
   }

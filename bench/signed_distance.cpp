@@ -46,7 +46,7 @@ double time_of(const std::vector<Query>& queries, Answer&& answer, double& sum) 
 }
 
 double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return values[values.size() / 2];
 }
 

@@ -35,10 +35,8 @@ struct Pile {
 };
 
 Pile pyramid(int rows) {
-  const tumble::SceneRecipe& recipe = tumble::scene_recipe("fig5_6");
-  tumble::Parameters settings = recipe.parameters();
-  settings.set("rows", std::to_string(rows));
-  Pile pile{tumble::build_world(recipe.build(settings, tumble::Random(1))), {}, {}};
+  Pile pile{
+      tumble::build_world(tumble::make_scene("fig5_6", {"rows=" + std::to_string(rows)})), {}, {}};
   tumble::load_moving_bodies(pile.world, pile.bodies);
   std::vector<tumble::IndexPair> pairs;
   for (int i = 0; i < pile.world.count(); ++i)
@@ -58,7 +56,7 @@ double time_of(const Pile& pile, ContactForces& forces, tumble::ForceReport& rep
 }
 
 double median(std::vector<double> times) {
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   return times[times.size() / 2];
 }
 

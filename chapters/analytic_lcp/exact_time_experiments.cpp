@@ -18,8 +18,7 @@ double drop_of(int cube) {
 }
 
 World cubes_in_a_row(int cubes, double restitution) {
-  Scene scene;
-  scene.ground = SceneGround{0.0, 0.0};
+  Scene scene{.ground = SceneGround{0.0, 0.0}};
   for (int k = 0; k < cubes; ++k) {
     scene.boxes.push_back({.name = "cube" + std::to_string(k + 1),
                            .position_w = Vec3(kSpacing * k, drop_of(k) + 0.5, 0.0),
@@ -97,11 +96,9 @@ constexpr int kCountedSteps = 120;  // whose work is counted, 2 s, of 3 by defau
 // Cubes that fall on one another from a column of random places and orientations.
 World random_pile(int seed) {
   Random random(static_cast<std::uint64_t>(seed));
-  Scene scene;
-  scene.ground = SceneGround{0.5, 0.0};
+  Scene scene{.ground = SceneGround{0.5, 0.0}};
   for (int k = 0; k < kPileCubes; ++k) {
-    SceneBox box;
-    box.name = "cube" + std::to_string(k + 1);
+    SceneBox box{.name = "cube" + std::to_string(k + 1)};
     const double aside = random.uniform(-0.4, 0.4);
     box.position_w = Vec3(aside, 1.2 + 1.8 * k, 0.0);
     box.orientation_wb = random.orientation();
@@ -162,7 +159,7 @@ Result measure_exact_times(const Parameters& settings) {
   std::vector<int> numbers;
   for (int cubes = 1; cubes <= settings.count("cubes"); cubes *= 2) numbers.push_back(cubes);
   numbers.push_back(kMany);
-  std::sort(numbers.begin(), numbers.end());
+  std::ranges::sort(numbers);
   for (const int cubes : numbers) {
     std::vector<Cost> exact, stepping;
     const double ratio = cheapest("analytic", cubes, kLook, settings, exact).work /

@@ -25,9 +25,8 @@ SceneBox box_at(const Vec3& position_w, const Vec3& size, const std::string& nam
 
 // A cube in the air, one that slides, a stack of three, and a post that leans too far.
 World five_things() {
-  Scene scene;
-  scene.title = "a cube that bounces, one that slides, a stack, and a post that falls over";
-  scene.ground = SceneGround{kFriction, 0.0};
+  Scene scene{.title = "a cube that bounces, one that slides, a stack, and a post that falls over",
+              .ground = SceneGround{kFriction, 0.0}};
   scene.boxes.push_back(box_at(Vec3(0.0, 1.5, 0.0), Vec3::Ones(), "bouncer"));
   scene.boxes.back().restitution = kRestitution;
   scene.boxes.push_back(box_at(Vec3(3.0, 0.5, 0.0), Vec3::Ones(), "slider"));

@@ -67,15 +67,11 @@ inline Instant rod_on_end(const PainleveRod& rod) {
   instant.world.add_ground(rod.friction);
   const Vec3 to_end(-elementary::cos(rod.angle), -elementary::sin(rod.angle), 0.0);
   const Vec3 spin_w(0.0, 0.0, rod.spin);
-  const BodyProperties body = box_properties(Vec3(2.0, 1e-5, 1e-5), 1.0, rod.friction);
   const Quat turned = rotation_from_vector(Vec3(0.0, 0.0, rod.angle));
   const Vec3 velocity_w = -Vec3::UnitX() - spin_w.cross(to_end);
-  instant.world.add(body, make_state(body, -to_end, turned, velocity_w, spin_w));
-  Contact contact;
-  contact.second = 1;
-  contact.friction = rod.friction;
-  contact.count = 1;
-  instant.contacts.push_back(contact);
+  instant.world.add(box_properties(Vec3(2.0, 1e-5, 1e-5), 1.0, rod.friction), -to_end, turned,
+                    velocity_w, spin_w);
+  instant.contacts.push_back(Contact{.second = 1, .friction = rod.friction, .count = 1});
   add_gravity(instant);
   return instant;
 }
@@ -93,10 +89,9 @@ struct RodStep {
 // A step of Stewart and Trinkle with a pyramid of 4 or 8 directions.
 inline RodStep step_rod(const PainleveRod& rod, double step, int directions) {
   Instant instant = rod_on_end(rod);
-  VelocityStepOptions options;
-  options.directions = directions;
-  const VelocityStepResult result = VelocityStep().solve(
-      instant.world, instant.free, instant.contacts, step, options, instant.bodies);
+  const VelocityStepResult result =
+      VelocityStep().solve(instant.world, instant.free, instant.contacts, step,
+                           {.directions = directions}, instant.bodies);
   const ContactPoint& point = instant.contacts[0].points[0];
   const Vec3 motion_w = relative_velocity(instant.bodies[0], instant.bodies[1], Vec3::Zero());
   return {result.solved, point.normal_impulse, point.friction_impulse_w.x(),

@@ -19,8 +19,7 @@ constexpr int kFresh = 100;        // dice of a second measurement have the seed
 // A die of 1 m that falls with a random orientation and a random spin, or flat.
 World die(double height, double restitution, int seed, bool flat) {
   Random random(static_cast<std::uint64_t>(seed));
-  Scene scene;
-  scene.ground = SceneGround{0.5, 0.0};
+  Scene scene{.ground = SceneGround{0.5, 0.0}};
   SceneBox box{.name = "die", .restitution = restitution};
   if (!flat) {
     box.orientation_wb = random.orientation();
@@ -116,7 +115,7 @@ Result measure_sticky(const Parameters& settings) {
   // The usual one is a choice: half and twice of it are written down beside it.
   std::vector<double> thresholds = {usual, 0.5 * usual, 2.0 * usual, tolerance::resting_speed};
   for (double t = 0.7; t > tolerance::resting_speed; t *= 0.5) thresholds.push_back(t);
-  std::sort(thresholds.begin(), thresholds.end());
+  std::ranges::sort(thresholds);
 
   Table table{
       "",
@@ -153,7 +152,7 @@ Result measure_sticky(const Parameters& settings) {
     flat.add(threshold, fall.collisions, exact);
   }
   const auto over_lowest = [&](const char* name, double Fall::*what, double threshold) {
-    const auto place = std::find(thresholds.begin(), thresholds.end(), threshold);
+    const auto place = std::ranges::find(thresholds, threshold);
     return ratio(name, what, falls[static_cast<std::size_t>(place - thresholds.begin())],
                  falls.front());
   };

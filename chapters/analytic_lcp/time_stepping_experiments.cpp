@@ -14,10 +14,9 @@ World stack_and_projectile(int cubes, double speed, double height, double aside)
   World world;
   world.add_ground();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  for (int k = 0; k < cubes; ++k) world.add(cube, make_state(cube, Vec3(0.0, k + 0.5, 0.0)));
+  for (int k = 0; k < cubes; ++k) world.add(cube, Vec3(0.0, k + 0.5, 0.0));
   const BodyProperties shot = box_properties(Vec3::Constant(0.5), 1.0);
-  world.add(shot,
-            make_state(shot, Vec3(-4.0, height, aside), Quat::Identity(), Vec3(speed, 2.0, 0.0)));
+  world.add(shot, Vec3(-4.0, height, aside), Quat::Identity(), Vec3(speed, 2.0, 0.0));
   return world;
 }
 
@@ -60,7 +59,7 @@ BodyState random_motion(Random& random, const BodyProperties& body, const Vec3& 
 Instant random_points(Random& random) {
   Instant instant;
   const BodyProperties fixed = fixed_box_properties(Vec3::Ones());
-  instant.world.add(fixed, make_state(fixed, Vec3::Zero()));
+  instant.world.add(fixed, Vec3::Zero());
   for (int k = 0; k < 3; ++k) {
     const Vec3 size = Vec3::Ones() + random.in_cube(0.5);
     const BodyProperties body = box_properties(size, random.uniform(0.5, 2.0));
@@ -70,8 +69,7 @@ Instant random_points(Random& random) {
   }
   const int count = 1 + static_cast<int>(random.below(8));
   for (int k = 0; k < count; ++k) {
-    Contact contact;
-    contact.first = static_cast<int>(random.below(3));
+    Contact contact{.first = static_cast<int>(random.below(3))};
     contact.second = contact.first + 1 +
                      static_cast<int>(random.below(static_cast<std::uint32_t>(3 - contact.first)));
     contact.normal_w = random.direction();
@@ -106,10 +104,8 @@ Instant random_bricks(Random& random) {
 }
 
 VelocityStepResult step(Instant& instant) {
-  VelocityStepOptions options;
-  options.directions = 4;
-  options.form = SteppingForm::anitescu_potra;
-  return VelocityStep().solve(instant.world, instant.free, instant.contacts, kStep, options,
+  return VelocityStep().solve(instant.world, instant.free, instant.contacts, kStep,
+                              {.directions = 4, .form = SteppingForm::anitescu_potra},
                               instant.bodies);
 }
 

@@ -13,8 +13,7 @@ constexpr double kHalf = 0.5;  // [m] half its edge
 
 // The library's scene of a cube that is dropped flat.
 World bouncing_cube(double height, double restitution) {
-  const SceneRecipe& recipe = scene_recipe("bouncing_box");
-  Scene scene = recipe.build(recipe.parameters(), Random(1));
+  Scene scene = make_scene("bouncing_box");
   scene.ground->restitution = scene.boxes[0].restitution = restitution;
   scene.boxes[0].position_w.y() = height + kHalf;
   return build_world(scene);
@@ -80,8 +79,7 @@ Result measure_impact_times(const Parameters& settings) {
   const double height = settings.number("height");
   const double restitution = settings.number("restitution");
   const int wanted = settings.count("impacts");
-  BasicOptions options;
-  options.resolution = settings.number("resolution");
+  BasicOptions options{.resolution = settings.number("resolution")};
   constexpr double accepted = 5.0;  // resolutions for each impact: the claim's rule
   constexpr int most_steps = 100000;
 
@@ -164,9 +162,8 @@ struct Settling {
 // above it, instead of where the technique's repair has left it.
 Settling settle(const Parameters& settings, double rest, double clear) {
   const double dt = settings.number("step");
-  BasicOptions options;
-  options.resolution = settings.number("resolution");
-  options.event_cap = settings.count("cap");
+  BasicOptions options{.resolution = settings.number("resolution"),
+                       .event_cap = settings.count("cap")};
   World world = bouncing_cube(settings.number("height"), settings.number("restitution"));
   Watcher watcher(world);
   Basic basic(options);

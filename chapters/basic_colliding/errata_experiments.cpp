@@ -45,11 +45,8 @@ Table three_cubes(SearchMethod search, std::string suffix) {
   world.gravity_w = Vec3::Zero();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, 1.0);
   for (const auto& [place, speed] : {std::pair{0.0, 2.0}, {1.5, 0.0}, {2.9, -1.0}})
-    world.add(cube,
-              make_state(cube, Vec3(place, 0.0, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
-  BasicOptions options;
-  options.search = search;
-  Basic basic(options);
+    world.add(cube, Vec3(place, 0.0, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0));
+  Basic basic({.search = search});
   RowWatcher watcher(world, std::move(suffix));
   basic.observe(&watcher);
   finished(basic.step(world, 1.0));
@@ -103,8 +100,8 @@ std::vector<LiteralImpact> impacts_in_step(World world, double dt, const Vec3& n
       fly(world.bodies()[i], world.states()[i], world.gravity_w, *time, RotationRule::splitting);
     }
     now += *time;
-    const Flight here{.bodies = world.bodies(), .states = world.states()};
-    const double gap = gap_at(here, kBodies, 0.0).distance;
+    const double gap =
+        gap_at({.bodies = world.bodies(), .states = world.states()}, kBodies, 0.0).distance;
 
     load_moving_bodies(world, moving);
     collide_at_point(moving[0], moving[1], Vec3::Zero(), normal_w, 0.0, how.restitution);
@@ -121,8 +118,8 @@ World slow_landing() {
   constexpr double speed = 0.05;
   World world;
   world.add_ground();
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  world.add(cube, make_state(cube, Vec3(0.0, 0.5 + 0.5 * speed * speed / kGravity, 0.0)));
+  world.add(box_properties(Vec3::Ones(), 1.0),
+            Vec3(0.0, 0.5 + 0.5 * speed * speed / kGravity, 0.0));
   return world;
 }
 
@@ -132,8 +129,8 @@ World push_from_behind() {
   World world;
   world.gravity_w = Vec3::Zero();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  world.add(cube, make_state(cube, Vec3::Zero(), Quat::Identity(), Vec3::UnitX()));
-  world.add(cube, make_state(cube, Vec3(1.0 + kMeet, 0.0, 0.0)));
+  world.add(cube, Vec3::Zero(), Quat::Identity(), Vec3::UnitX());
+  world.add(cube, Vec3(1.0 + kMeet, 0.0, 0.0));
   return world;
 }
 

@@ -70,8 +70,8 @@ using Order = std::array<int, 4>;  // of the corners
 World after_landing(const Order* order) {
   World world;
   world.add_ground(0.0, kRestitution);
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, kRestitution);
-  world.add(cube, make_state(cube, Vec3(0.0, 0.5, 0.0), Quat::Identity(), Vec3(0.0, -2.0, 0.0)));
+  world.add(box_properties(Vec3::Ones(), 1.0, 0.0, kRestitution), Vec3(0.0, 0.5, 0.0),
+            Quat::Identity(), Vec3(0.0, -2.0, 0.0));
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);
   const IndexPair pair{0, 1};
@@ -95,9 +95,7 @@ World after_landing(const Order* order) {
       }
     }
   } else {
-    ImpactOptions together;
-    together.order = ImpactOrder::simultaneous;
-    ImpactSolver().resolve(contacts, moving, together);
+    ImpactSolver().resolve(contacts, moving, {.order = ImpactOrder::simultaneous});
   }
   store_moving_bodies(moving, world);
   return world;

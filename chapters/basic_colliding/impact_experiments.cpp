@@ -22,14 +22,13 @@ std::vector<Rebound> bounces(double height, double restitution, double threshold
   World world;
   world.add_ground();
   const BodyProperties cube = box_properties(Vec3::Constant(2.0 * half), 1.0);
-  world.add(cube, make_state(cube, Vec3(0.0, height + half, 0.0)));
+  world.add(cube, Vec3(0.0, height + half, 0.0));
   const IndexPair ground_and_cube{0, 1};
 
   // Any flight is shorter than twice the first fall, so that the cube is below the ground at the
   // end of the interval: what the discrete search looks for.
   const double fall = std::sqrt(2.0 * height / kGravity);
-  SearchOptions options;
-  options.resolution = resolution;
+  SearchOptions options{.resolution = resolution};
   EventSearch search;
   std::vector<MovingBody> moving;
   std::vector<Rebound> impacts;

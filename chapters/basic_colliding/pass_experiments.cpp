@@ -88,8 +88,7 @@ struct Samples {
 };
 
 Samples sampled(const Pass& pass, int count) {
-  Samples out;
-  out.first_overlap = std::numeric_limits<double>::infinity();
+  Samples out{.first_overlap = std::numeric_limits<double>::infinity()};
   const Flight flight = pass.flight();
   for (int k = 1; k < count; ++k) {
     const double time = pass.duration() * k / count;
@@ -101,10 +100,9 @@ Samples sampled(const Pass& pass, int count) {
 }
 
 Outcome watch(const Pass& pass, const Passes& passes, bool proof) {
-  SearchOptions careful;
-  careful.method = SearchMethod::conservative;
-  careful.cap = 1000000;
-  const PairCollision truth = find_collision(pass.flight(), kPair, 0.0, pass.duration(), careful);
+  const PairCollision truth =
+      find_collision(pass.flight(), kPair, 0.0, pass.duration(),
+                     {.method = SearchMethod::conservative, .cap = 1000000});
   if (truth.status == CollisionStatus::cap_reached) throw std::runtime_error("search not finished");
 
   Outcome out;

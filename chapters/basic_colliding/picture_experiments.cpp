@@ -102,12 +102,11 @@ const Vec3 kDiceView_w(0.35, 0.45, 1.0);  // from the die to the eye
 // A thrown die under the basic technique, in six frames.
 Result measure_dice_strip(const Parameters& settings) {
   constexpr int frames = 6;
-  Parameters scene_settings = scene_recipe("dice").parameters();
-  scene_settings.set("count", "1");
+  std::vector<std::string> changes = {"count=1"};
   for (const char* key : {"speed", "spin", "restitution"})
-    scene_settings.set(key, shortest_text(settings.number(key)));
-  const auto seed = static_cast<std::uint64_t>(settings.whole("seed"));
-  const Scene scene = scene_recipe("dice").build(scene_settings, Random(seed));
+    changes.push_back(setting(key, settings.number(key)));
+  const Scene scene =
+      make_scene("dice", changes, static_cast<std::uint64_t>(settings.whole("seed")));
   World world = build_world(scene);
   const double exact_touch = first_touch(world);
 
@@ -215,17 +214,15 @@ const std::array<Shot, 30> kShots = {{
 Result measure_gallery(std::string_view name, const Parameters& settings) {
   const Scene scene = scene_recipe(name).build(settings, Random(kSeed));
   World world = build_world(scene);
-  BasicOptions options;
-  options.event_cap = settings.count("event_cap");
-  Basic technique(options);
+  Basic technique({.event_cap = settings.count("event_cap")});
   StepReport totals;
   advance(scene, technique, 1.0 / 60.0, settings.number("time"), world, totals);
   Table table = pose_table("");
   add_poses(world, table);
 
   std::vector<PictureBox> boxes = picture_boxes(world);
-  const auto movable = std::count_if(world.bodies().begin(), world.bodies().end(),
-                                     [](const BodyProperties& body) { return body.movable(); });
+  const auto movable = std::ranges::count_if(
+      world.bodies(), [](const BodyProperties& body) { return body.movable(); });
 
   const Vec3 direction_w(settings.number("view_x"), settings.number("view_y"),
                          settings.number("view_z"));

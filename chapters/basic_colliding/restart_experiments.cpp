@@ -49,7 +49,7 @@ class CarefulSearch {
       return gap_at(flight, pair, first).distance < 0.0 &&
              gap_at(flight, pair, 0.0).distance >= 0.0;
     };
-    if (std::any_of(hidden_.begin(), hidden_.end(), met_before)) uncovered += 1.0;
+    if (std::ranges::any_of(hidden_, met_before)) uncovered += 1.0;
   }
 
   double searches = 0.0;
@@ -64,11 +64,9 @@ class CarefulSearch {
 // Cubes fly about in a closed cage, without gravity, friction and loss. Searches cost as much as the steps.
 void run_cage(double room, int cubes, int seconds, int steps_per_second, int seed,
               bool count_searches, CageCounts& counts) {
-  const SceneRecipe& recipe = scene_recipe("cage");
-  Parameters p = recipe.parameters();
-  p.set("count", std::to_string(cubes));
-  p.set("room", std::to_string(room));
-  World world = build_world(recipe.build(p, Random(static_cast<std::uint64_t>(seed))));
+  World world = build_world(
+      make_scene("cage", {"count=" + std::to_string(cubes), "room=" + std::to_string(room)},
+                 static_cast<std::uint64_t>(seed)));
   BasicOptions options;
   options.rotation = RotationRule::frozen;  // exact for cubes, and the fastest
   Basic basic(options);

@@ -11,7 +11,7 @@ namespace {
 std::vector<MovingBody> row_of_cubes(int count) {
   World world;
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  for (int i = 0; i < count; ++i) world.add(cube, make_state(cube, Vec3(i, 0.0, 0.0)));
+  for (int i = 0; i < count; ++i) world.add(cube, Vec3(i, 0.0, 0.0));
   std::vector<MovingBody> row;
   load_moving_bodies(world, row);
   return row;
@@ -43,9 +43,7 @@ std::vector<Contact> contacts_of(const std::vector<MovingBody>& row, double rest
 
 void collide(std::vector<MovingBody>& row, double restitution, ImpactOrder order) {
   std::vector<Contact> contacts = contacts_of(row, restitution);
-  ImpactOptions options;
-  options.order = order;
-  if (ImpactSolver().resolve(contacts, row, options).status != ImpactStatus::done)
+  if (ImpactSolver().resolve(contacts, row, {.order = order}).status != ImpactStatus::done)
     throw std::runtime_error("the row still collides");
 }
 

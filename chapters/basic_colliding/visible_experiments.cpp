@@ -47,9 +47,7 @@ class Watch {
                         .states = world.states(),
                         .gravity_w = world.gravity_w,
                         .rule = RotationRule::frozen};
-    SearchOptions careful;
-    careful.method = SearchMethod::conservative;
-    careful.cap = 1000000;
+    SearchOptions careful{.method = SearchMethod::conservative, .cap = 1000000};
     for (const IndexPair& pair : near_.find(world, kStep)) {
       const PairCollision found = find_collision(flight, pair, 0.0, kStep, careful);
       if (found.status == CollisionStatus::cap_reached)
@@ -84,8 +82,7 @@ struct Run {
 };
 
 Run run(const std::string& target, const Parameters& settings, int seed) {
-  BasicOptions options;
-  options.event_cap = settings.count("event_cap");
+  BasicOptions options{.event_cap = settings.count("event_cap")};
   options.rotation = RotationRule::frozen;  // exact for cubes
   Basic basic(options);
   World world = shot_at(target, settings, seed);

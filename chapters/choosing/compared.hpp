@@ -59,9 +59,7 @@ inline RunResult run_compared(const Scene& scene, const PlayedTechnique& played,
                               double duration,
                               const std::function<void(const World&, const Metrics&)>& after = {},
                               const std::function<bool()>& stop = {}) {
-  RunSettings settings;
-  settings.dt = dt;
-  settings.duration = duration;
+  RunSettings settings{.dt = dt, .duration = duration};
   After observer(after);
   const std::array<RunObserver*, 1> observers = {&observer};
   return run_scene(scene, *make_technique(played.name, played.settings), settings, observers, stop);

@@ -19,9 +19,9 @@ std::vector<Sized> sized_scenes() {
   return {{"", separate_stacks(10), 10},
           {"100 boxes in stacks", separate_stacks(100), 100},
           {"", separate_stacks(1000), 1000, true},
-          {"", scene_with("pyramid", {"rows=4"}), 10, false, true},
-          {"105 boxes in a pyramid", scene_with("pyramid", {"rows=14"}), 105, false, true},
-          {"990 boxes in a pyramid", scene_with("pyramid", {"rows=44"}), 990, true, true}};
+          {"", make_scene("pyramid", {"rows=4"}), 10, false, true},
+          {"105 boxes in a pyramid", make_scene("pyramid", {"rows=14"}), 105, false, true},
+          {"990 boxes in a pyramid", make_scene("pyramid", {"rows=44"}), 990, true, true}};
 }
 
 // Whether a step takes a second or more: these are run on demand.
@@ -52,13 +52,10 @@ Scene separate_stacks(int boxes) {
   constexpr double spacing = 2.0;  // [m] centre to centre
   const int stacks = boxes / high;
   const int edge = static_cast<int>(std::ceil(std::sqrt(stacks)));
-  Scene scene;
-  scene.title = "stacks of five cubes";
-  scene.ground = SceneGround{};
+  Scene scene{.title = "stacks of five cubes", .ground = SceneGround{}};
   for (int k = 0; k < stacks; ++k) {
     for (int level = 0; level < high; ++level) {
-      SceneBox box;
-      box.position_w = Vec3(spacing * (k % edge), level + 0.5, spacing * (k / edge));
+      SceneBox box{.position_w = Vec3(spacing * (k % edge), level + 0.5, spacing * (k / edge))};
       scene.boxes.push_back(box);
     }
   }

@@ -28,7 +28,7 @@ double bounced_height(double height, double restitution, double time) {
 
 Problem bounce_problem() {
   constexpr double height = 1.0, restitution = 0.5;
-  Problem problem{"bounce", scene_with("bouncing_box", {"height=1", "restitution=0.5"}), 36,
+  Problem problem{"bounce", make_scene("bouncing_box", {"height=1", "restitution=0.5"}), 36,
                   height};
   problem.value = [](const World& world) { return state_of(world, "cube").position_w.y() - 0.5; };
   problem.exact = [](double time) { return bounced_height(height, restitution, time); };
@@ -37,7 +37,7 @@ Problem bounce_problem() {
 
 Problem slide_problem() {
   constexpr double speed = 3.0, braking = 0.3 * kGravity;
-  Problem problem{"slide", scene_with("slide", {"speed=3", "friction=0.3"}), 45,
+  Problem problem{"slide", make_scene("slide", {"speed=3", "friction=0.3"}), 45,
                   speed * speed / (2.0 * braking)};
   problem.value = [](const World& world) { return state_of(world, "box").position_w.x(); };
   problem.exact = [](double time) {
@@ -51,7 +51,7 @@ Problem rock_problem() {
   constexpr double width = 0.4, height = 2.0, tilt = 0.5;
   const double diagonal = std::atan2(width, height);  // [rad] tilt at which it balances
   Problem problem{"rock",
-                  scene_with("rocking_block", {"width=0.4", "height=2", "tilt=0.5", "friction=2"}),
+                  make_scene("rocking_block", {"width=0.4", "height=2", "tilt=0.5", "friction=2"}),
                   14, tilt * diagonal};
   problem.value = [](const World& world) {
     return rotation_vector(state_of(world, "block").orientation_wb).z();

@@ -17,7 +17,7 @@ constexpr std::array<const char*, 3> kMassNames = {"10", "100", "1000"};
 
 bool tips(const PlayedTechnique& played, double angle) {
   const Scene scene =
-      scene_with("slope", {setting("angle", angle), "width=0.5", "height=1", "friction=2"});
+      make_scene("slope", {setting("angle", angle), "width=0.5", "height=1", "friction=2"});
   double most = 0.0;
   const auto look = [&](const World& world, const Metrics&) {
     const Vec3 up = world.states()[1].orientation_wb * Vec3::UnitY();
@@ -49,7 +49,7 @@ PileRun stack_of(const Parameters& p, int count, const std::string& top,
                  const PlayedTechnique& played) {
   std::vector<PileRun> runs;
   for (int seed = 1; seed <= p.count("seeds"); ++seed) {
-    const Scene scene = scene_with("stack",
+    const Scene scene = make_scene("stack",
                                    {"count=" + std::to_string(count), "top_mass=" + top,
                                     setting("scatter", p.number("scatter"))},
                                    static_cast<std::uint64_t>(seed));
@@ -106,7 +106,7 @@ Result measure_rest_and_tip(const Parameters& settings) {
     const auto add = [&](const std::string& what, const std::string& unit, double value) {
       add_number(result.quantities, number_name(played.name, what), unit, 1e3 * value);
     };
-    const PileRun box = pile_run(scene_with("bouncing_box", {"height=0.01", "restitution=0"}),
+    const PileRun box = pile_run(make_scene("bouncing_box", {"height=0.01", "restitution=0"}),
                                  played, settings.number("duration"));
     add("speed of a box at rest", "mm/s", box.speed > kTrembles ? box.speed : kNoNumber);
     const PileRun stack = stack_of(settings, settings.count("boxes"), "1", played);

@@ -49,7 +49,7 @@ Result measure_crate(const Parameters& settings) {
   std::vector<std::vector<FilmFrame>> films;
   const auto red = [](std::vector<PictureBox>& boxes) { boxes.back().colour = 0xd55e00; };
   const auto scene_of = [&](const char* speed) {
-    return scene_with("crate_off_table", {setting("speed", settings.number(speed)),
+    return make_scene("crate_off_table", {setting("speed", settings.number(speed)),
                                           setting("friction", settings.number("friction"))});
   };
   const auto watch = [&](const PlayedTechnique& technique, const char* speed,

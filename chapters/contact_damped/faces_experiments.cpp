@@ -34,7 +34,7 @@ struct Settled {
 
 Settled settled(int per_edge, int seed, double duration, const PlayedTechnique& technique) {
   // Cubes start as near to each other as they may, so that they meet soon.
-  PlayedScene played(scene_with("fig6_7", {"per_edge=" + std::to_string(per_edge), "spacing=1.75"},
+  PlayedScene played(make_scene("fig6_7", {"per_edge=" + std::to_string(per_edge), "spacing=1.75"},
                                 static_cast<std::uint64_t>(seed)),
                      technique, static_cast<std::uint64_t>(seed));
   played.advance(duration);
@@ -46,7 +46,7 @@ Settled settled(int per_edge, int seed, double duration, const PlayedTechnique& 
     if (speed_of(world.bodies()[k], world.states()[k], world.gravity_w.norm()) < kSlow)
       end.resting += 1.0;
   }
-  std::sort(end.tilts.begin(), end.tilts.end());
+  std::ranges::sort(end.tilts);
   return end;
 }
 

@@ -39,9 +39,9 @@ World scaled(const World& world, double size, double mass) {
 std::vector<World> examples() {
   std::vector<World> worlds;
   worlds.push_back(
-      build_world(scene_with("slide", {setting("speed", kSpeed), setting("friction", kFriction)})));
-  worlds.push_back(build_world(scene_with("crate_off_table", {})));
-  worlds.push_back(build_world(scene_with("stack", {"count=4"})));
+      build_world(make_scene("slide", {setting("speed", kSpeed), setting("friction", kFriction)})));
+  worlds.push_back(build_world(make_scene("crate_off_table")));
+  worlds.push_back(build_world(make_scene("stack", {"count=4"})));
   worlds.back().set_velocity(*worlds.back().find("level2"), Vec3(2.0, 0.0, 0.5), Vec3::Zero());
   return worlds;
 }

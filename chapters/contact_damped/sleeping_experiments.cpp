@@ -11,14 +11,11 @@ constexpr double kPushed = 0.25;  // [s] for which work is counted after the pus
 
 // Stacks of cubes in a row along x, each in a lane of its own along z.
 Scene stacks(int count, int boxes) {
-  Scene scene;
-  scene.title = "stacks side by side";
-  scene.ground = SceneGround{0.5, 0.0};
+  Scene scene{.title = "stacks side by side", .ground = SceneGround{0.5, 0.0}};
   for (int s = 0; s < count; ++s)
     for (int level = 0; level < boxes; ++level) {
-      SceneBox box;
-      box.name = "stack" + std::to_string(s + 1) + "_" + std::to_string(level + 1);
-      box.position_w = Vec3((1.0 + kGap) * s, 0.5 + level, 0.0);
+      SceneBox box{.name = "stack" + std::to_string(s + 1) + "_" + std::to_string(level + 1),
+                   .position_w = Vec3((1.0 + kGap) * s, 0.5 + level, 0.0)};
       scene.boxes.push_back(box);
     }
   return scene;
@@ -78,8 +75,7 @@ struct Waking {
 Waking wake(int boxes, int level) {
   PlayedScene played(stacks(2, boxes), sleeping(true));
   played.advance(kAsleep);
-  Waking result;
-  result.slept = asleep(played.world());
+  Waking result{.slept = asleep(played.world())};
   const std::string name = "stack1_" + std::to_string(level);
   played.world().remove(*played.world().find(name));
   const double left = static_cast<double>(2 * boxes - 1);
@@ -103,7 +99,7 @@ struct Nudge {
 };
 
 Nudge nudge() {
-  PlayedScene played(scene_with("pyramid", {}), sleeping(true));
+  PlayedScene played(make_scene("pyramid"), sleeping(true));
   played.advance(kAsleep);
   played.world().set_velocity(played.world().ids().back(), Vec3(0.0, 0.0, 0.5), Vec3::Zero());
   const World before = played.world();

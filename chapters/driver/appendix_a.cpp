@@ -147,7 +147,7 @@ std::vector<std::filesystem::path> sources_in(const std::filesystem::path& folde
   } catch (const std::filesystem::filesystem_error&) {
     throw FileError("cannot read the folder " + folder.string());
   }
-  std::sort(sources.begin(), sources.end());
+  std::ranges::sort(sources);
   return sources;
 }
 
@@ -163,13 +163,11 @@ std::vector<AppendixListing> read_appendix(const std::filesystem::path& path,
   for (Record& record : read_records(path, kLineForm)) {
     std::map<std::string, std::string>& texts = record.texts;
     const std::string name = texts["id"].substr(0, texts["id"].find(' '));
-    const auto listing = std::find_if(listings.begin(), listings.end(),
-                                      [&](const AppendixListing& one) { return one.name == name; });
+    const auto listing = std::ranges::find_if(
+        listings, [&](const AppendixListing& one) { return one.name == name; });
     if (listing == listings.end())
       throw std::invalid_argument(record.place + "there is no [[listing]] called '" + name + '\'');
-    AppendixLine line;
-    line.number = static_cast<int>(listing->lines.size()) + 1;
-    line.place = record.place;
+    AppendixLine line{.number = static_cast<int>(listing->lines.size()) + 1, .place = record.place};
     const std::string expected = name + ' ' + std::to_string(line.number);
     if (texts["id"] != expected)
       throw std::invalid_argument(record.place + '\'' + expected + "' should stand here");

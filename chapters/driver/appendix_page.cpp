@@ -50,8 +50,8 @@ std::string cell_html(const std::string& name, const std::vector<SourceExcerpt>&
 std::string reasons_html(const AppendixLine& line, const std::vector<ErratumEntry>& errata) {
   std::string text;
   for (const std::string& id : line.errata) {
-    const auto entry = std::find_if(errata.begin(), errata.end(),
-                                    [&](const ErratumEntry& one) { return one.erratum.id == id; });
+    const auto entry =
+        std::ranges::find_if(errata, [&](const ErratumEntry& one) { return one.erratum.id == id; });
     if (entry == errata.end())
       throw std::invalid_argument(line.place + "there is no erratum '" + id + '\'');
     text += "<p>" + link_html("errata.html#" + label_of("erratum", id), id) + " (" +
@@ -82,7 +82,7 @@ std::string files_html(const AppendixListing& listing,
   std::string text;
   for (const AppendixLine& line : listing.lines) {
     for (const SourceExcerpt& code : line.*reading) {
-      if (std::find(paths.begin(), paths.end(), code.path) != paths.end()) continue;
+      if (std::ranges::find(paths, code.path) != paths.end()) continue;
       paths.push_back(code.path);
       text += (text.empty() ? "" : ", ") +
               link_html(source_link(code.path, code.first), file_name(code.path));

@@ -117,7 +117,7 @@ std::vector<DrawnFigure> check_figures(const std::filesystem::path& folder,
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
     files.push_back(entry.path());
   if (error) throw FileError("cannot read " + folder.string());
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   for (const std::filesystem::path& path : files) {
     const std::string name = path.filename().string();
     const bool ours = name.size() > kNumbers.size() &&

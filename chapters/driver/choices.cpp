@@ -23,7 +23,7 @@ const RecordForm kVariedForm{"varied",
 
 // The claim that a number decides by a rule.
 const LedgerEntry* decided_by(const Variation& variation, const std::vector<LedgerEntry>& ledger) {
-  const auto found = std::find_if(ledger.begin(), ledger.end(), [&](const LedgerEntry& entry) {
+  const auto found = std::ranges::find_if(ledger, [&](const LedgerEntry& entry) {
     const Claim& claim = entry.claim;
     return !claim.open && claim.figure == variation.figure && claim.quantity == variation.chosen;
   });
@@ -33,9 +33,8 @@ const LedgerEntry* decided_by(const Variation& variation, const std::vector<Ledg
 VariedNumber varied_number(const std::string& change, const std::string& quantity,
                            const Variation& variation, const std::vector<DrawnFigure>& figures,
                            const LedgerEntry* decided) {
-  VariedNumber varied;
-  varied.change = change;
-  varied.number = find_number(figures, variation.figure, quantity, variation.place);
+  VariedNumber varied{.change = change,
+                      .number = find_number(figures, variation.figure, quantity, variation.place)};
   if (!varied.number.compared) varied.number.value = std::numeric_limits<double>::quiet_NaN();
   if (std::isnan(varied.number.value)) return varied;
   varied.verdict = Verdict::not_comparable;
@@ -49,10 +48,9 @@ VariedNumber varied_number(const std::string& change, const std::string& quantit
 VariedEntry varied_entry(const Variation& variation, const std::vector<DrawnFigure>& figures,
                          const std::vector<LedgerEntry>& ledger) {
   const LedgerEntry* decided = decided_by(variation, ledger);
-  VariedEntry entry;
-  entry.figure = variation.figure;
-  entry.claim = decided == nullptr ? "" : decided->claim.id;
-  entry.chosen = varied_number("", variation.chosen, variation, figures, decided);
+  VariedEntry entry{.figure = variation.figure,
+                    .claim = decided == nullptr ? "" : decided->claim.id,
+                    .chosen = varied_number("", variation.chosen, variation, figures, decided)};
   for (const auto& [change, quantity] : {std::pair{std::string("half"), variation.half},
                                          {std::string("double"), variation.doubled},
                                          {variation.change, variation.other}}) {
@@ -92,7 +90,7 @@ Choices read_choices(const std::filesystem::path& path) {
 
 bool VariedEntry::changes_verdict() const {
   if (claim.empty() || chosen.verdict == Verdict::not_measured) return false;
-  return std::any_of(changed.begin(), changed.end(), [&](const VariedNumber& one) {
+  return std::ranges::any_of(changed, [&](const VariedNumber& one) {
     return one.verdict != Verdict::not_measured && one.verdict != chosen.verdict;
   });
 }

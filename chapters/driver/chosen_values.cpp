@@ -25,8 +25,8 @@ ChosenValue setting(const Choice& choice, const Parameters& parameters, const st
 
 ChosenValue constant(const Choice& choice, const std::vector<Tolerance>& constants,
                      const std::string& name) {
-  const auto found = std::find_if(constants.begin(), constants.end(),
-                                  [&](const Tolerance& one) { return one.name == name; });
+  const auto found =
+      std::ranges::find_if(constants, [&](const Tolerance& one) { return one.name == name; });
   if (found == constants.end()) refuse(choice, "there is no constant '" + name + '\'');
   return {name, found->value, found->unit, found->meaning};
 }

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <optional>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -102,8 +101,8 @@ std::vector<const Figure*> chosen(const Request& request, std::span<const Figure
   }
   std::vector<const Figure*> result;
   for (const Figure& figure : figures)
-    if (request.figures.empty() || std::find(request.figures.begin(), request.figures.end(),
-                                             figure.name) != request.figures.end())
+    if (request.figures.empty() ||
+        std::ranges::find(request.figures, figure.name) != request.figures.end())
       result.push_back(&figure);
   return result;
 }

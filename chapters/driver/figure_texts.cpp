@@ -40,8 +40,8 @@ std::vector<Figure> with_texts(std::vector<Figure> figures, const std::vector<Fi
   std::vector<Figure> described;
   std::string message;
   for (const FigureText& text : texts) {
-    const auto found = std::find_if(figures.begin(), figures.end(),
-                                    [&](const Figure& figure) { return figure.name == text.name; });
+    const auto found = std::ranges::find_if(
+        figures, [&](const Figure& figure) { return figure.name == text.name; });
     if (found == figures.end()) {
       message += "\nfigures.toml describes " + text.name + ", which no source registers";
       continue;

@@ -179,9 +179,10 @@ std::vector<std::string> differences(const Findings& findings) {
 }
 
 std::string summary_text(const Findings& findings) {
-  const auto open = static_cast<std::size_t>(std::count_if(
-      findings.ledger.begin(), findings.ledger.end(),
-      [](const LedgerEntry& entry) { return entry.verdict == Verdict::not_measured; }));
+  const auto open =
+      static_cast<std::size_t>(std::ranges::count_if(findings.ledger, [](const LedgerEntry& entry) {
+        return entry.verdict == Verdict::not_measured;
+      }));
   return std::to_string(thesis_figures(findings.figures)) + " thesis figures, " +
          std::to_string(findings.ledger.size() - open) + " claims measured, " +
          std::to_string(open) + " not measured, " + std::to_string(differences(findings).size()) +

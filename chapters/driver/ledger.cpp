@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <map>
@@ -66,7 +65,7 @@ void check_claim(const Claim& claim) {
     return;
   }
   static constexpr std::array readings{"as_printed", "as_meant", "ours", "-"};
-  if (std::find(readings.begin(), readings.end(), claim.reading) == readings.end()) {
+  if (std::ranges::find(readings, claim.reading) == readings.end()) {
     throw std::invalid_argument(claim.place + "reading '" + claim.reading +
                                 "': give as_printed, as_meant, ours or -");
   }
@@ -170,7 +169,7 @@ std::vector<LedgerEntry> judge(const std::vector<Claim>& claims,
   }
   for (const Second& second : seconds)
     entry_of(ledger, second).seconds.push_back(judge_second(second, figures));
-  std::sort(ledger.begin(), ledger.end(), [](const LedgerEntry& a, const LedgerEntry& b) {
+  std::ranges::sort(ledger, [](const LedgerEntry& a, const LedgerEntry& b) {
     return earlier_in_thesis(a.claim.id, b.claim.id);
   });
   return ledger;

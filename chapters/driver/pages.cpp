@@ -137,9 +137,8 @@ std::string techniques_md(const std::vector<DrawnFigure>& figures) {
 }  // namespace
 
 std::string counts_text(const Findings& findings) {
-  const auto words = static_cast<std::size_t>(
-      std::count_if(findings.errata.begin(), findings.errata.end(),
-                    [](const ErratumEntry& one) { return one.erratum.kind == "wording"; }));
+  const auto words = static_cast<std::size_t>(std::ranges::count_if(
+      findings.errata, [](const ErratumEntry& one) { return one.erratum.kind == "wording"; }));
   return "Of " + std::to_string(findings.ledger.size()) +
          " claims of the thesis: " + counts_of(findings.ledger) + ". " + reads_of(findings.ledger) +
          ". " + std::to_string(findings.errata.size() - words) +

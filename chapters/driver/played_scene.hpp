@@ -64,15 +64,6 @@ class PlayedScene : public Simulation {
   [[nodiscard]] double speed(std::string_view name) const { return body(name).velocity_w().x(); }
 };
 
-// A scene of the library with some of its settings changed.
-inline Scene scene_with(std::string_view name, const std::vector<std::string>& settings,
-                        std::uint64_t seed = 1) {
-  const SceneRecipe& recipe = scene_recipe(name);
-  Parameters parameters = recipe.parameters();
-  set_all(parameters, settings);
-  return recipe.build(parameters, Random(seed));
-}
-
 // A setting in the form of the command line.
 inline std::string setting(std::string_view key, double value) {
   return std::string(key) + '=' + full_text(value);

@@ -52,7 +52,7 @@ void require_choices(const std::vector<LedgerEntry>& ledger,
   for (const LedgerEntry& entry : ledger) {
     const std::string wanted = choice_of(entry.claim.reads);
     const auto is_it = [&](const ChoiceEntry& one) { return one.choice.id == wanted; };
-    if (!wanted.empty() && std::none_of(choices.begin(), choices.end(), is_it))
+    if (!wanted.empty() && std::ranges::none_of(choices, is_it))
       throw std::invalid_argument(entry.claim.place + "hangs on '" + wanted +
                                   "': no choice has this id in a choices.toml");
   }
@@ -64,10 +64,9 @@ std::vector<std::string> doubtful_reads(const std::vector<LedgerEntry>& ledger,
   for (const LedgerEntry& entry : ledger) {
     if (entry.claim.reads != kStands) continue;
     for (const ChoiceEntry& choice : choices) {
-      const bool changes =
-          std::any_of(choice.numbers.begin(), choice.numbers.end(), [&](const VariedEntry& number) {
-            return number.claim == entry.claim.id && number.changes_verdict();
-          });
+      const bool changes = std::ranges::any_of(choice.numbers, [&](const VariedEntry& number) {
+        return number.claim == entry.claim.id && number.changes_verdict();
+      });
       if (changes)
         messages.push_back(entry.claim.place + "reads 'stands', but another value of '" +
                            choice.choice.id + "' changes the verdict: " + kRemedy);
@@ -103,8 +102,8 @@ std::vector<std::string> stale_verdicts(const std::string& page, const std::stri
     const std::string id = last_claim_in(
         page.substr(static_cast<std::size_t>(from), static_cast<std::size_t>(at - from)));
     const std::string where = name + ": " + it->str() + ": ";
-    const auto entry = std::find_if(ledger.begin(), ledger.end(),
-                                    [&](const LedgerEntry& one) { return one.claim.id == id; });
+    const auto entry =
+        std::ranges::find_if(ledger, [&](const LedgerEntry& one) { return one.claim.id == id; });
     if (entry == ledger.end()) {
       messages.push_back(where + "refer to the claim just before its verdict");
       continue;

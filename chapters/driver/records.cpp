@@ -15,7 +15,7 @@ namespace tumble::chapters {
 namespace {
 
 bool contains(const std::vector<std::string>& list, const std::string& text) {
-  return std::find(list.begin(), list.end(), text) != list.end();
+  return std::ranges::find(list, text) != list.end();
 }
 
 std::string place_of(const std::string& file, const toml::node& node) {

@@ -30,8 +30,7 @@ std::vector<Figure> registered_figures() {
     std::vector<Figure> more = make();
     std::move(more.begin(), more.end(), std::back_inserter(figures));
   }
-  std::sort(figures.begin(), figures.end(),
-            [](const Figure& a, const Figure& b) { return a.name < b.name; });
+  std::ranges::sort(figures, [](const Figure& a, const Figure& b) { return a.name < b.name; });
   const auto twice =
       std::adjacent_find(figures.begin(), figures.end(),
                          [](const Figure& a, const Figure& b) { return a.name == b.name; });

@@ -9,7 +9,6 @@
 #include "driver/played_scene.hpp"
 
 #include <functional>
-#include <span>
 
 namespace tumble::chapters {
 

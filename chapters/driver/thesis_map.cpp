@@ -102,7 +102,7 @@ std::vector<ThesisSection> read_thesis_map(const std::filesystem::path& path) {
 std::string thesis_map_page(const std::vector<ThesisSection>& sections, const Findings& findings) {
   for (const LedgerEntry& entry : findings.ledger) {
     const auto is_its = [&](const ThesisSection& one) { return one.id == entry.claim.section; };
-    if (std::none_of(sections.begin(), sections.end(), is_its))
+    if (std::ranges::none_of(sections, is_its))
       throw std::invalid_argument(entry.claim.place + "the map has no section " +
                                   entry.claim.section);
   }

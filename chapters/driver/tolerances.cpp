@@ -22,12 +22,10 @@ Tolerance read_docstring(const std::string& text) {
   std::smatch match;
   if (!std::regex_match(text, match, form))
     throw std::invalid_argument("give /// [unit] what it decides. Reason: why. (section)");
-  Tolerance tolerance;
-  tolerance.unit = match[1];
-  tolerance.meaning = match[2].str() + '.';
-  tolerance.reason = match[3].str() + '.';
-  tolerance.section = match[4];
-  return tolerance;
+  return Tolerance{.unit = match[1],
+                   .meaning = match[2].str() + '.',
+                   .reason = match[3].str() + '.',
+                   .section = match[4]};
 }
 
 // Reads line after line; what a constant needs has to come before it.

@@ -22,9 +22,8 @@ bool Comparison::holds(double value) const {
 }
 
 Comparison read_comparison(const std::string& text) {
-  Comparison comparison;
-  comparison.below = text.rfind('<', 0) == 0;
-  comparison.inclusive = text.size() > 1 && text[1] == '=';
+  Comparison comparison{.below = text.rfind('<', 0) == 0,
+                        .inclusive = text.size() > 1 && text[1] == '='};
   const std::size_t number = text.find_first_not_of(' ', comparison.inclusive ? 2 : 1);
   const bool known = comparison.below || text.rfind('>', 0) == 0;
   if (known && number != std::string::npos) {

@@ -28,8 +28,7 @@ double left_by(const Problem& problem, const GroupFrame& frame) {
 // A shift of c by d moves all bodies by M d, M = 1 + h [Omega] - Exp(h Omega), and that has to make up for
 // what is missing with c = 0.
 GroupFrame closing_lower(const Problem& problem, double rate) {
-  GroupFrame frame;
-  frame.angular_velocity_w = Vec3(0.0, 0.0, rate);
+  GroupFrame frame{.angular_velocity_w = Vec3(0.0, 0.0, rate)};
   const auto states = moved_in_frame(problem.world, frame, problem.dt);
   const Joint& lower = problem.joints.front();
   const JointPoint point = held_point(lower, states);

@@ -18,9 +18,7 @@ struct CoarseSteps {
 };
 
 inline Film film_of(const HeldRun& run, const Camera& camera) {
-  Film film;
-  film.camera = camera;
-  film.floor = has_ground(run.start);
+  Film film{.camera = camera, .floor = has_ground(run.start)};
   for (const HeldFrame& frame : run.frames)
     film.frames.push_back({frame.time, picture_boxes(run.world(frame))});
   return film;
@@ -44,9 +42,8 @@ inline Camera close_camera(const HeldRun& run) {
       }
     }
   }
-  const Vec3 lowest_w =
-      *std::min_element(corners_w.begin(), corners_w.end(),
-                        [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
+  const Vec3 lowest_w = *std::ranges::min_element(
+      corners_w, [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
   constexpr double room = 0.3;  // for the lens, over the width of the motion
   corners_w.emplace_back(most_x + room * (most_x - least_x), lowest_w.y(), lowest_w.z());
   const Vec3 direction_w(0.12, 0.12, 1.0);  // from the side on which it falls, and a little above

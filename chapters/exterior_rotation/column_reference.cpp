@@ -52,9 +52,7 @@ GapConstants gap_constants(double time, double phi0, int count) {
     const Now now = at(t);
     return (time - t) * now.omega * now.omega * now.omega * std::sin(last - now.angle);
   };
-  GapConstants found;
-  found.impulse = integral(chord, time);
-  found.semi_implicit = integral(drift, time);
+  GapConstants found{.impulse = integral(chord, time), .semi_implicit = integral(drift, time)};
   found.forward_euler = 2.0 * found.semi_implicit + integral(turned, time);
   return found;
 }

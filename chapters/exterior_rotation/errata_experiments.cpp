@@ -71,8 +71,7 @@ struct PullRun {
 };
 
 PullRun pull_run(GluedJoints kind, double angle, double rate, double duration) {
-  GluedOptions options;
-  options.joints = kind;
+  GluedOptions options{.joints = kind};
   PullRun seen;
   run_unilateral(column_world(angle), options, duration,
                  static_cast<int>(std::lround(duration * rate)),
@@ -80,16 +79,13 @@ PullRun pull_run(GluedJoints kind, double angle, double rate, double duration) {
                    const std::span<const Joint> joints = glued.joints();
                    seen.time.push_back(world.time());
                    seen.pull.push_back(pull_in(world, joints));
-                   seen.areas = std::count_if(joints.begin(), joints.end(), [](const Joint& joint) {
-                     return joint.hold == JointHold::area;
-                   });
+                   seen.areas = std::ranges::count_if(
+                       joints, [](const Joint& joint) { return joint.hold == JointHold::area; });
                  });
   return seen;
 }
 
-double largest(const std::vector<double>& values) {
-  return *std::max_element(values.begin(), values.end());
-}
+double largest(const std::vector<double>& values) { return *std::ranges::max_element(values); }
 
 Result measure_rotation_errata(const Parameters& settings) {
   const double speed = settings.number("speed");

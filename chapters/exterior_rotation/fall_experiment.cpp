@@ -22,7 +22,7 @@ struct Fall {
 
 World world_at(int boxes, double angle, double rate) {
   if (boxes > 1) return column_world(angle, rate, boxes);
-  return build_world(scene_with("fig6_2", {setting("angle", angle), setting("spin", rate)}));
+  return build_world(make_scene("fig6_2", {setting("angle", angle), setting("spin", rate)}));
 }
 
 Fall fall_of(const Parameters& settings) {
@@ -148,8 +148,7 @@ double gap_after_turn(const Fall& fall, double turn) {
 
 Result measure_fall(const Parameters& settings) {
   const Fall fall = fall_of(settings);
-  Result result;
-  result.tables = {gaps_over_time(fall), gaps_of_steps(fall)};
+  Result result{.tables = {gaps_over_time(fall), gaps_of_steps(fall)}};
   draw(fall, settings, result);
 
   const bool column = fall.boxes > 1;

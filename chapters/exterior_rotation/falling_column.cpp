@@ -68,7 +68,7 @@ GlueForce glue_force(int joint, double angle, double phi0, int count) {
 }
 
 World column_world(double angle, double spin, int count) {
-  return build_world(scene_with("fig6_1", {setting("angle", angle), setting("spin", spin),
+  return build_world(make_scene("fig6_1", {setting("angle", angle), setting("spin", spin),
                                            "count=" + std::to_string(count)}));
 }
 

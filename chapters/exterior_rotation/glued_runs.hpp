@@ -12,11 +12,7 @@ namespace tumble::chapters {
 // accuracy: [-] of dormand_prince, error allowed in a step
 inline GluedOptions glued_options(GluedScheme scheme, PoseUpdate pose = PoseUpdate::separate,
                                   double accuracy = GluedOptions{}.accuracy) {
-  GluedOptions options;
-  options.scheme = scheme;
-  options.pose = pose;
-  options.accuracy = accuracy;
-  return options;
+  return GluedOptions{.scheme = scheme, .pose = pose, .accuracy = accuracy};
 }
 
 // Numbers that are evenly spread in the logarithm.
@@ -66,7 +62,7 @@ inline constexpr double kInset = 0.1;              // [m] from its edges to the 
 inline World column_on_corner(double angle, double spin) {
   World world;
   const BodyProperties support = fixed_box_properties(kSupport);
-  world.add(support, make_state(support, Vec3(kInset, 0.0, kInset) - 0.5 * kSupport));
+  world.add(support, Vec3(kInset, 0.0, kInset) - 0.5 * kSupport);
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
 
   // The column's centre is a half diagonal from its corner. A first turn puts it above the corner, a
@@ -78,7 +74,7 @@ inline World column_on_corner(double angle, double spin) {
   const Vec3 spin_w = spin * (turned_wb * Vec3::UnitY());
   for (int k = 0; k < kCubes; ++k) {
     const Vec3 place_w = turned_wb * (to_centre_b + Vec3(0.0, 0.5 + k - 0.5 * kCubes, 0.0));
-    world.add(cube, make_state(cube, place_w, turned_wb, spin_w.cross(place_w), spin_w));
+    world.add(cube, place_w, turned_wb, spin_w.cross(place_w), spin_w);
   }
   return world;
 }
@@ -92,8 +88,7 @@ inline World column_in_flight(const Vec3& velocity_w, const Vec3& spin_w) {
   const Quat turned_wb = rotation_from_vector(Vec3(0.3, -0.5, 0.7));
   for (int k = 0; k < kCubes; ++k) {
     const Vec3 place_w = turned_wb * Vec3(0.0, 0.5 + k - 0.5 * kCubes, 0.0);
-    world.add(cube,
-              make_state(cube, place_w, turned_wb, velocity_w + spin_w.cross(place_w), spin_w));
+    world.add(cube, place_w, turned_wb, velocity_w + spin_w.cross(place_w), spin_w);
   }
   return world;
 }

@@ -27,10 +27,9 @@ struct HeldRun {
   // The frame at a time.
   // time: [s] from 0
   [[nodiscard]] const HeldFrame& at(double time) const {
-    return *std::min_element(frames.begin(), frames.end(),
-                             [&](const HeldFrame& a, const HeldFrame& b) {
-                               return std::abs(a.time - time) < std::abs(b.time - time);
-                             });
+    return *std::ranges::min_element(frames, [&](const HeldFrame& a, const HeldFrame& b) {
+      return std::abs(a.time - time) < std::abs(b.time - time);
+    });
   }
   // The bodies of a frame as a world.
   [[nodiscard]] World world(const HeldFrame& frame) const {
@@ -41,8 +40,7 @@ struct HeldRun {
 };
 
 inline HeldFrame frame_of(const World& world, std::span<const Joint> joints, double time) {
-  HeldFrame frame;
-  frame.time = time;
+  HeldFrame frame{.time = time};
   frame.states.assign(world.states().begin(), world.states().end());
   for (const Joint& joint : joints) frame.gaps.push_back(gap_of(joint, world.states()));
   return frame;
@@ -99,8 +97,7 @@ inline double signed_gap(const JointGap& gap) {
 // Steps a group.
 // dt: [s] of a step, above 0
 inline HeldRun run_held(const World& start, const GluedOptions& options, double dt, int steps) {
-  HeldRun run;
-  run.start = start;
+  HeldRun run{.start = start};
   World world = start;
   Glued glued(options);
   glued.find(world);

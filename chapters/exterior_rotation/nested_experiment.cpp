@@ -19,7 +19,7 @@ struct NestedRun {
 std::vector<NestedRun> nested_runs(const Parameters& settings) {
   const double dt = 1.0 / settings.number("rate");
   const auto steps = static_cast<int>(std::lround(settings.number("duration") / dt));
-  const World start = build_world(scene_with("fig6_3", {}));
+  const World start = build_world(make_scene("fig6_3"));
   std::vector<FilmScheme> schemes(film_schemes().begin(), film_schemes().end());
   schemes.push_back({"leapfrog", "leapfrog", GluedScheme::leapfrog});
   std::vector<NestedRun> runs;
@@ -56,12 +56,11 @@ Table apart_over_time(const std::vector<NestedRun>& nested) {
 }
 
 void draw_nested(const std::vector<NestedRun>& nested, const Parameters& settings, Result& result) {
-  FilmLayout layout;
-  layout.low = Vec2(-2.1, 1.1);
-  layout.high = Vec2(2.3, 4.75);
-  layout.magnification = settings.number("magnification");
-  layout.bar = 0.01;
-  layout.inset = 90.0;
+  FilmLayout layout{.low = Vec2(-2.1, 1.1),
+                    .high = Vec2(2.3, 4.75),
+                    .magnification = settings.number("magnification"),
+                    .inset = 90.0,
+                    .bar = 0.01};
   layout.put_inset_above();
   const HeldRun& shown = nested.front().run;
   Table times{"frames", {{"time_s", "s", "of the frame"}}};
@@ -121,7 +120,7 @@ Result measure_nested(const Parameters& settings) {
   result.add("larger of both angles' distances from GSL's double pendulum, reference", "rad",
              std::max(std::abs(found.lower - judged.lower), std::abs(found.upper - judged.upper)));
   result.film = [] {
-    return coarse_film(build_world(scene_with("fig6_3", {})), {.step = 0.075, .steps = 8});
+    return coarse_film(build_world(make_scene("fig6_3")), {.step = 0.075, .steps = 8});
   };
   return result;
 }

@@ -73,12 +73,11 @@ NestedAngles nested_pendulum(const World& start, double time) {
   };
   const BodyProperties& lower = start.bodies()[at("lower")];
   const BodyProperties& upper = start.bodies()[at("upper")];
-  Hinged hinged;
-  hinged.lower_mass = lower.mass;
-  hinged.upper_mass = upper.mass;
-  hinged.lower_inertia = lower.inertia_b.z();
-  hinged.upper_inertia = upper.inertia_b.z();
-  hinged.gravity = start.gravity_w.norm();
+  Hinged hinged{.lower_mass = lower.mass,
+                .upper_mass = upper.mass,
+                .lower_inertia = lower.inertia_b.z(),
+                .upper_inertia = upper.inertia_b.z(),
+                .gravity = start.gravity_w.norm()};
   const NestedAngles from = nested_angles(start);
   double y[4] = {from.lower, from.upper, angular_velocity(lower, start.states()[at("lower")]).z(),
                  angular_velocity(upper, start.states()[at("upper")]).z()};

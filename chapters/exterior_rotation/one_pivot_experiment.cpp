@@ -58,7 +58,7 @@ struct NestedInstant {
 };
 
 NestedInstant nested(const Spins& spins) {
-  return NestedInstant(scene_with(
+  return NestedInstant(make_scene(
       "fig6_3", {setting("lower_spin", spins.lower), setting("upper_spin", spins.upper)}));
 }
 
@@ -150,7 +150,7 @@ Result measure_one_pivot(const Parameters& settings) {
     largest_ratio = std::max(largest_ratio, left.best / left.own);
   }
 
-  const NestedInstant scene = NestedInstant(scene_with("fig6_3", {}));
+  const NestedInstant scene = NestedInstant(make_scene("fig6_3"));
   const Left left = left_in_step(scene, dt);
   const Left slow = left_in_step(nested(kSlowBelow), dt);
   return {

@@ -13,7 +13,7 @@ inline World lone_column(int boxes) {
   World world;
   world.gravity_w = Vec3::Zero();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  for (int k = 0; k < boxes; ++k) world.add(cube, make_state(cube, Vec3(0.0, 0.5 + k, 0.0)));
+  for (int k = 0; k < boxes; ++k) world.add(cube, Vec3(0.0, 0.5 + k, 0.0));
   return world;
 }
 

@@ -73,7 +73,7 @@ std::span<const ComparedScene> compared_scenes() {
 
 TechniqueGaps run_technique(const ComparedScene& scene, const PlayedTechnique& played, double rate,
                             const std::vector<std::string>& settings) {
-  PlayedScene run(scene_with(scene.name, settings), played);
+  PlayedScene run(make_scene(scene.name, settings), played);
   const World start = run.world();
   const std::vector<Joint> joints = find_joints(start, tolerance::glue_margin);
   const auto steps = static_cast<int>(std::lround(scene.time * rate));

@@ -40,8 +40,7 @@ class EventTimes : public Observer {
 inline UnilateralRun run_unilateral(
     World world, const GluedOptions& options, double end, int steps,
     const std::function<void(const World&, const Glued&)>& after = {}) {
-  UnilateralRun run;
-  run.world = std::move(world);
+  UnilateralRun run{.world = std::move(world)};
   Glued technique(options);
   EventTimes notes;
   technique.observe(&notes);

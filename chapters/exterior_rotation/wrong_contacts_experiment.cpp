@@ -90,8 +90,8 @@ struct Verdict {
   std::vector<ContactChange> missed;  // the scheme lacks them
 
   [[nodiscard]] auto wrong_before(int step) const {
-    return std::count_if(wrong.begin(), wrong.end(),
-                         [&](const ContactChange& change) { return change.step < step; });
+    return std::ranges::count_if(wrong,
+                                 [&](const ContactChange& change) { return change.step < step; });
   }
 };
 
@@ -101,8 +101,7 @@ Verdict judge(const std::vector<ContactChange>& changes, const std::vector<Conta
     std::erase_if(list, [&](const ContactChange& change) { return change.step > question.steps; });
     return list;
   };
-  Verdict verdict;
-  verdict.all = in_time(changes);
+  Verdict verdict{.all = in_time(changes)};
   verdict.wrong = changes_not_in(verdict.all, right, question.within);
   verdict.missed = changes_not_in(in_time(right), changes, question.within);
   return verdict;
@@ -137,10 +136,9 @@ Table changes_table(const std::vector<Verdict>& verdicts, const std::vector<Cont
   for (std::size_t s = 0; s < verdicts.size(); ++s) {
     for (const ContactChange& change : verdicts[s].all) {
       const auto& wrong = verdicts[s].wrong;
-      const bool is_wrong =
-          std::any_of(wrong.begin(), wrong.end(), [&](const ContactChange& other) {
-            return other.step == change.step && other.same(change);
-          });
+      const bool is_wrong = std::ranges::any_of(wrong, [&](const ContactChange& other) {
+        return other.step == change.step && other.same(change);
+      });
       add(change, s + 1, is_wrong);
     }
   }

@@ -34,8 +34,7 @@ void settle_seed(const Parameters& settings, int seed, Sides& sides) {
   const double settling = settings.number("settling"), watched = settings.number("watched");
   const SettledRun fixed = damped_clump(per_edge, chance, settling, watched);
   sides.fixed.push_back({measure_resting(fixed), {}, fixed.work()});
-  AdaptiveStepOptions options;
-  options.halvings = settings.count("halvings");
+  AdaptiveStepOptions options{.halvings = settings.count("halvings")};
   const SteppedRun run =
       settle_in_steps(clump_scene(per_edge, chance), make_technique("damped", {}, chance), options,
                       settling, watched);

@@ -53,10 +53,7 @@ inline SteppedRun settle_in_steps(const Scene& scene, std::unique_ptr<Technique>
 
 // Every step divided alike.
 inline AdaptiveStepOptions fixed_steps(int halvings) {
-  AdaptiveStepOptions options;
-  options.halvings = halvings;
-  options.fewest = halvings;
-  return options;
+  return AdaptiveStepOptions{.halvings = halvings, .fewest = halvings};
 }
 
 // How the bodies of a run come to rest, and how those shake that do.
@@ -109,8 +106,8 @@ inline RestingMeasures measure_resting(const SettledRun& run) {
     if (run.world.bodies()[k].movable()) out.times.push_back(time_of_rest(run, k));
   for (const std::size_t k : resting_bodies(run))
     out.amplitudes.push_back(settled_shake(run, k).amplitude);
-  std::sort(out.times.begin(), out.times.end());
-  std::sort(out.amplitudes.begin(), out.amplitudes.end());
+  std::ranges::sort(out.times);
+  std::ranges::sort(out.amplitudes);
   return out;
 }
 
@@ -132,10 +129,9 @@ inline double share_through(double speed, int throws, const AdaptiveStepOptions&
   for (int k = 0; k < throws; ++k) {
     World world;
     world.add(fixed_box_properties(Vec3(0.05, 20.0, 20.0)), BodyState{});
-    const BodyProperties cube = box_properties(Vec3::Constant(0.2), 1.0);
     const double distance = 0.5 + speed * kStep * (k + 0.5) / throws;  // [m] of the centres
-    const BodyId id = world.add(
-        cube, make_state(cube, Vec3(-distance, 0.0, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
+    const BodyId id = world.add(box_properties(Vec3::Constant(0.2), 1.0), Vec3(-distance, 0.0, 0.0),
+                                Quat::Identity(), Vec3(speed, 0.0, 0.0));
     AdaptiveStep technique(make_technique("damped", {}, 1), options);
     // Until it would be half a metre behind it, and some frames.
     const double end = (distance + 0.5) / speed + 4.0 * kStep;

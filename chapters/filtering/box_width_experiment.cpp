@@ -105,7 +105,7 @@ struct Landing {
 Landing landing_under(const char* technique, const char* restitution) {
   Landing landing;
   landing.run = settle_scene(
-      scene_with("bouncing_box",
+      make_scene("bouncing_box",
                  {setting("height", kFall), std::string("restitution=") + restitution}),
       {technique, {}}, 0.0, 2.0);
   landing.cube = first_movable(landing.run.world);
@@ -178,9 +178,8 @@ Result measure_box_widths(const Parameters& settings) {
   const double blunt = landing.sharpness(kWidest) / landing.sharpness(kFive);
   const Quantity overlap = made_overlap(
       "deepest overlap while a clump settles, shown at 15 frames less computed", clumps, kWidest);
-  const auto deeper =
-      std::count_if(clumps.overlaps.begin(), clumps.overlaps.end(),
-                    [](const auto& seed) { return seed[kWidest].deepest > seed[kRaw].deepest; });
+  const auto deeper = std::ranges::count_if(
+      clumps.overlaps, [](const auto& seed) { return seed[kWidest].deepest > seed[kRaw].deepest; });
   OverlapMeter meter;
   const auto depth = [&](const Trajectory& frames, int n) {
     return meter.look(landing.run.world.bodies(), frames.frame(n).states);

@@ -11,9 +11,7 @@ constexpr int kDense = 6;    // ditto, of a box by itself
 
 // A cube that meets the ground turning about a horizontal axis.
 Scene tossed(Random chance) {
-  Scene scene;
-  scene.title = "a cube is tossed along the ground";
-  scene.ground = SceneGround{0.6, 0.0};
+  Scene scene{.title = "a cube is tossed along the ground", .ground = SceneGround{0.6, 0.0}};
   SceneBox box;
   const double edge = chance.uniform(0.3, 1.0);
   const double speed = chance.uniform(1.0, 3.0);
@@ -30,8 +28,7 @@ Scene tossed(Random chance) {
 
 // A cube that lies flat and spins like a top, with little friction.
 Scene spinning(Random chance) {
-  Scene scene;
-  scene.title = "a cube spins on the ground";
+  Scene scene{.title = "a cube spins on the ground"};
   const double friction = chance.uniform(1e-4, 1e-2);
   scene.ground = SceneGround{friction, 0.0};
   SceneBox box;
@@ -47,7 +44,7 @@ Scene spinning(Random chance) {
 double slow_speed(Random& chance) { return 0.02 * elementary::pow(15.0, chance.unit()); }
 
 Scene sliding(Random chance) {
-  return scene_with("slide", {setting("speed", slow_speed(chance)),
+  return make_scene("slide", {setting("speed", slow_speed(chance)),
                               setting("friction", 3e-4 + 5e-3 * chance.unit()),
                               setting("heading", chance.uniform(-180.0, 180.0)),
                               setting("height", chance.uniform(0.3, 1.0))});
@@ -58,12 +55,12 @@ Scene down_slope(Random chance) {
   const double angle = chance.uniform(1.0, 8.0);
   const double friction = elementary::sin(angle * std::numbers::pi / 180.0) /
                           elementary::cos(angle * std::numbers::pi / 180.0);
-  return scene_with("slope", {setting("angle", angle), setting("friction", friction),
+  return make_scene("slope", {setting("angle", angle), setting("friction", friction),
                               setting("speed", slow_speed(chance)), "height=0.8"});
 }
 
 Scene rocking(Random chance) {
-  return scene_with("rocking_block", {setting("width", chance.uniform(0.2, 0.8)),
+  return make_scene("rocking_block", {setting("width", chance.uniform(0.2, 0.8)),
                                       setting("tilt", chance.uniform(0.1, 0.6))});
 }
 

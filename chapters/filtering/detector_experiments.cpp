@@ -62,11 +62,10 @@ Curve curve_of(const Corpora& corpora, const std::string& suffix, const std::str
     for (const Moment& moment : corpus.moments) {
       const double weight = 1.0 / count[static_cast<std::size_t>(moment.doing)];
       if (moment.doing == Doing::chatters) all.push_back({score(moment), weight, 0.0});
-      if (std::find(kMoving.begin(), kMoving.end(), moment.doing) != kMoving.end())
+      if (std::ranges::find(kMoving, moment.doing) != kMoving.end())
         all.push_back({score(moment), 0.0, weight / static_cast<double>(kMoving.size())});
     }
-  std::sort(all.begin(), all.end(),
-            [](const Scored& a, const Scored& b) { return a.score > b.score; });
+  std::ranges::sort(all, [](const Scored& a, const Scored& b) { return a.score > b.score; });
   Curve curve{{suffix,
                {{"threshold", "-", threshold_is},
                 {"alarms", "-", "share of motion classified as chatter, mean of four kinds"},

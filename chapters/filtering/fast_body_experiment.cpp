@@ -43,7 +43,7 @@ struct FastSeed {
 };
 
 SettledRun tossed_cube(std::uint64_t seed) {
-  return settle_scene(scene_with("toss", {"size=1", "mass=1"}, seed), {"damped", {}}, 0.0, kTossed,
+  return settle_scene(make_scene("toss", {"size=1", "mass=1"}, seed), {"damped", {}}, 0.0, kTossed,
                       seed);
 }
 

@@ -31,8 +31,8 @@ struct Left {
   double bodies = 0.0;             // that can move
 
   [[nodiscard]] double chattering(double line = kChatters) const {
-    return static_cast<double>(std::count_if(amplitudes.begin(), amplitudes.end(),
-                                             [line](double a) { return a >= line; }));
+    return static_cast<double>(
+        std::ranges::count_if(amplitudes, [line](double a) { return a >= line; }));
   }
 };
 
@@ -108,7 +108,7 @@ Result measure_left_chatter(const Parameters& settings) {
       for (const double amplitude : clump.amplitudes)
         if (amplitude >= kRoundingMotion) moving.push_back(amplitude);
     }
-    std::sort(moving.begin(), moving.end());
+    std::ranges::sort(moving);
     const double count = static_cast<double>(moving.size());
     for (std::size_t k = 0; k < moving.size(); ++k)
       sorted.add((resting - count + static_cast<double>(k) + 0.5) / bodies, moving[k]);

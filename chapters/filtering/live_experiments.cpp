@@ -89,7 +89,7 @@ LiveRun count_bits(PlayedScene scene, const Filters& filters, double duration, d
 
 // The run of one cube that falls and lands flat, the ground left out.
 Trajectory fall(double height, double duration) {
-  PlayedScene scene(scene_with("bouncing_box", {setting("height", height), "restitution=0"}),
+  PlayedScene scene(make_scene("bouncing_box", {setting("height", height), "restitution=0"}),
                     {"contact_damped"});
   Trajectory run;
   const auto record = [&] {
@@ -105,7 +105,7 @@ Trajectory fall(double height, double duration) {
 
 // The first frame in which a body is near the height at which it comes to rest, or their number.
 int landing_frame(const std::vector<BodyState>& seen, double rest, double within) {
-  const auto landed = std::find_if(seen.begin(), seen.end(), [&](const BodyState& state) {
+  const auto landed = std::ranges::find_if(seen, [&](const BodyState& state) {
     return std::abs(state.position_w.y() - rest) <= within;
   });
   return static_cast<int>(landed - seen.begin());
@@ -183,7 +183,7 @@ Result measure_live(const Parameters& settings) {
       count_bits(PlayedScene(clump_scene(settings.count("cubes")), {"damped"}), filters, duration,
                  std::numeric_limits<double>::infinity(), pieces, rows, bits);
   const BitCount causal = causal_against_centred(clump);
-  count_bits(PlayedScene(scene_with("projectile", {"rows=3", setting("appears", 0.2 * duration)}),
+  count_bits(PlayedScene(make_scene("projectile", {"rows=3", setting("appears", 0.2 * duration)}),
                          {"contact_damped"}),
              filters, duration, 0.5 * duration, pieces, rows, bits);
   for (std::size_t k = 0; k < filters.size(); ++k) {

@@ -104,11 +104,7 @@ class Track {
   std::vector<Corners> path_;
 };
 
-ChatterDetectorOptions with_window(int window) {
-  ChatterDetectorOptions options;
-  options.window = window;
-  return options;
-}
+ChatterDetectorOptions with_window(int window) { return ChatterDetectorOptions{.window = window}; }
 
 // P/D for the rule that asks for nothing else than contact and a limit on the speed.
 double path_over_way(const ChatterDetector& detector, BodyId id, double edge, double gravity,
@@ -162,8 +158,7 @@ void add_run(const SettledRun& run, int every, Doing scene, MotionCorpus& corpus
       }
       ++t;
       if (frame % static_cast<std::size_t>(every) != 0) continue;
-      Moment moment;
-      moment.doing = track.doing(frame, scene);
+      Moment moment{.doing = track.doing(frame, scene)};
       if (moment.doing == Doing::nothing) continue;
       const ChatterDetector& detector = calm.detector();
       moment.verdict = detector.motion(id);

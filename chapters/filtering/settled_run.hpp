@@ -72,7 +72,7 @@ inline SettledRun settle_scene(const Scene& scene, const PlayedTechnique& played
 
 // The cubes of figure 6.7 at their start.
 inline Scene clump_scene(int per_edge, std::uint64_t seed = 1) {
-  return scene_with("fig6_7", {"per_edge=" + std::to_string(per_edge)}, seed);
+  return make_scene("fig6_7", {"per_edge=" + std::to_string(per_edge)}, seed);
 }
 
 // The first frames of a run.

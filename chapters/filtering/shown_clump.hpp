@@ -53,9 +53,9 @@ inline double weight_of(int frames) {
 
 // Lets a clump settle and looks for what chatters.
 inline ChatteringClump chattering_clump(const Parameters& settings, int seed) {
-  ChatteringClump clump;
-  clump.run = settle_clump(settings, seed, {"damped", {}}, kAfterwards);
-  clump.watched = static_cast<std::size_t>(std::lround(settings.number("watched") / kStep)) + 1;
+  ChatteringClump clump{
+      .run = settle_clump(settings, seed, {"damped", {}}, kAfterwards),
+      .watched = static_cast<std::size_t>(std::lround(settings.number("watched") / kStep)) + 1};
   clump.bodies = chattering_bodies(clump.run);
   if (clump.bodies.empty())
     throw std::runtime_error("nothing chatters in the clump of seed " + std::to_string(seed) +

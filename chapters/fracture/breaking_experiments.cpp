@@ -100,12 +100,10 @@ Break elements_break(int cells) {
 }
 
 RowOptions glued_plank(RowRule rule) {
-  RowOptions options;
-  options.size = kPlank;
-  options.density = soft_material().density;
-  options.strength = soft_material().strength;
-  options.rule = rule;
-  return options;
+  return RowOptions{.size = kPlank,
+                    .density = soft_material().density,
+                    .strength = soft_material().strength,
+                    .rule = rule};
 }
 
 // The same for a row of glued boxes on two narrow supports, at 60 steps a second.
@@ -113,8 +111,7 @@ Break row_breaks(RowRule rule) {
   World world;
   world.gravity_w.setZero();
   const BodyProperties support = fixed_box_properties(Vec3(0.002, 0.1, 0.2));
-  for (const double x : {-0.5, 0.5})
-    world.add(support, make_state(support, Vec3(x * kPlank.x(), 0.05, 0.0)));
+  for (const double x : {-0.5, 0.5}) world.add(support, Vec3(x * kPlank.x(), 0.05, 0.0));
   BreakingRow row(world, glued_plank(rule), Vec3(0.0, 0.1 + 0.5 * kPlank.y(), 0.0));
   TimeStepping technique;
   const double beam = beam_load(soft_material().strength);

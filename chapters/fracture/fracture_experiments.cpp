@@ -57,7 +57,7 @@ bool stays(const ElasticMesh& mesh, double h) {
   std::vector<double> tension(shaken.elements.size());
   const double start = shaken.kinetic_energy();
   for (int k = 0; k < kStableSteps; ++k) {
-    std::fill(forces.begin(), forces.end(), Vec3::Zero());
+    std::ranges::fill(forces, Vec3::Zero());
     add_forces(shaken, forces, tension);
     for (std::size_t i = 0; i < forces.size(); ++i) {
       shaken.nodes[i].velocity_w += h / shaken.nodes[i].mass * forces[i];
@@ -102,8 +102,7 @@ struct Needed {
 };
 
 Needed needed_by(Fracture scene, double transits, double longest) {
-  Needed needed;
-  needed.start = 0.5 * highest_frequency(scene.mesh());
+  Needed needed{.start = 0.5 * highest_frequency(scene.mesh())};
   needed.worst = needed.start;
   const double time = transits * longest / scene.mesh().material.wave_speed();
   std::size_t elements = 0;

@@ -32,9 +32,9 @@ Watched watched(Fracture& scene, const Vec3& size, double duration) {
   std::vector<double> masses(idx(pieces_of(scene.mesh(), piece)), 0.0);
   for (std::size_t k = 0; k < piece.size(); ++k)
     masses[idx(piece[k])] += scene.mesh().elements[k].volume * scene.mesh().material.density / mass;
-  found.pieces = static_cast<int>(
-      std::count_if(masses.begin(), masses.end(), [](double share) { return share > 0.01; }));
-  found.largest = *std::max_element(masses.begin(), masses.end());
+  found.pieces =
+      static_cast<int>(std::ranges::count_if(masses, [](double share) { return share > 0.01; }));
+  found.largest = *std::ranges::max_element(masses);
   found.mass = scene.mesh().mass() / mass - 1.0;
   return found;
 }

@@ -30,7 +30,7 @@ constexpr double kPauseAtEnd = 1.0;  // [s]
 bool was_outside(const ElasticMesh& mesh, const OutsideFace& face, const Vec3& size) {
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {-0.5, 0.5})
-      if (std::all_of(face.nodes.begin(), face.nodes.end(), [&](int node) {
+      if (std::ranges::all_of(face.nodes, [&](int node) {
             return std::abs(mesh.nodes[idx(node)].rest[axis] - side * size[axis]) <
                    kNearFace * size[axis];
           }))
@@ -55,8 +55,7 @@ void add_box(const PictureBox& box, std::vector<FacePart>& parts,
 }  // namespace
 
 FractureFrame frame_of(const Fracture& scene, const Vec3& size, double time) {
-  FractureFrame frame;
-  frame.time = time;
+  FractureFrame frame{.time = time};
   const ElasticMesh& mesh = scene.mesh();
   for (const OutsideFace& face : outside_of(mesh)) {
     FacePart part;
@@ -78,9 +77,7 @@ FractureFrame frame_of(const Fracture& scene, const Vec3& size, double time) {
 Picture drawn(const FractureFrame& frame, const Camera& camera,
               std::span<const PictureBox> around) {
   const PictureScene scene = picture_scene(frame.boxes, camera);
-  Picture picture;
-  picture.width = camera.width;
-  picture.height = camera.height;
+  Picture picture{.width = camera.width, .height = camera.height};
   const Polygon window{Vec2(0.0, 0.0), Vec2(camera.width, 0.0), Vec2(camera.width, camera.height),
                        Vec2(0.0, camera.height)};
   const auto add = [&](PictureArea area) {
@@ -94,10 +91,7 @@ Picture drawn(const FractureFrame& frame, const Camera& camera,
   };
   for (const PictureArea& area : floor_areas(scene, around)) add(area);
   // The shadow of the triangles that the lamp sees, by one lamp.
-  PictureArea shade;
-  shade.colour = kShade;
-  shade.opacity = kShadeOpacity;
-  shade.shadow = true;
+  PictureArea shade{.colour = kShade, .opacity = kShadeOpacity, .shadow = true};
   const Vec3 light_w = scene.lamp.middle_w();
   for (const FacePart& part : frame.faces) {
     if (part.normal_w.dot(light_w) <= 0.0) continue;
@@ -122,8 +116,7 @@ Picture drawn(const FractureFrame& frame, const Camera& camera,
   }
   const std::vector<FacePart> sorted = back_to_front(std::move(seen));
   for (const FacePart& part : sorted) {
-    PictureArea area;
-    area.colour = shown[idx(part.face)];
+    PictureArea area{.colour = shown[idx(part.face)]};
     area.outline = area.colour;  // so that no gap is seen between triangles
     area.outlined = true;
     Polygon loop;

@@ -21,8 +21,7 @@ inline ElasticMaterial soft_material(double strength = 1e6) {
 
 // The bar on which it falls.
 inline void add_bar(World& world) {
-  const BodyProperties bar = fixed_box_properties(kBar);
-  world.add(bar, make_state(bar, Vec3(0.0, 0.5 * kBar.y(), 0.0)));
+  world.add(fixed_box_properties(kBar), Vec3(0.0, 0.5 * kBar.y(), 0.0));
 }
 
 // A plank that has come down to just above the bar.
@@ -48,8 +47,8 @@ inline Fracture hit_wall(const ElasticMaterial& material, double speed,
   around.add_ground();
   const BodyProperties cube =
       box_properties(Vec3::Constant(kCube), material.density * kCube * kCube * kCube);
-  around.add(cube, make_state(cube, Vec3(0.03, 0.55 * kWall.y(), 0.5 * (kWall.z() + kCube) + 0.001),
-                              Quat::Identity(), Vec3(0.0, 0.0, -speed)));
+  around.add(cube, Vec3(0.03, 0.55 * kWall.y(), 0.5 * (kWall.z() + kCube) + 0.001),
+             Quat::Identity(), Vec3(0.0, 0.0, -speed));
   const double least = least_height(wall);
   return Fracture(std::move(wall), std::move(around), least);
 }

@@ -16,10 +16,7 @@ namespace tumble::chapters {
 
 // The task of balancing the weights.
 inline BalanceTask weights_of(const RestingPile& structure, int friction_edges = 0) {
-  BalanceTask task;
-  task.contacts = structure.contacts;
-  task.friction_edges = friction_edges;
-  return task;
+  return BalanceTask{.contacts = structure.contacts, .friction_edges = friction_edges};
 }
 
 // Whether contact forces can hold a structure under its weight, by StaticEquilibrium.

@@ -91,11 +91,10 @@ inline Trial cut_corner(Random& random) {
   const Quat turned = rotation_from_vector(Vec3(0.0, turn, 0.0));
   const auto [s, c] = elementary::sincos(turn);
   const double reaches = 0.5 * (s + c);  // [m] from the centre to the corner, along x
-  const BodyProperties block = fixed_box_properties(Vec3(4.0, 1.0, 4.0));
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
   Trial trial;
-  trial.world.add(block, make_state(block, Vec3(0.0, 0.5, 0.0)));
-  trial.world.add(cube, make_state(cube, Vec3(2.0 + beyond - reaches, 1.5, 0.0), turned));
+  trial.world.add(fixed_box_properties(Vec3(4.0, 1.0, 4.0)), Vec3(0.0, 0.5, 0.0));
+  trial.world.add(box_properties(Vec3::Ones(), 1.0), Vec3(2.0 + beyond - reaches, 1.5, 0.0),
+                  turned);
   trial.contacts = touching(trial.world);
   trial.body = 1;
   judge({}, trial);
@@ -107,11 +106,10 @@ inline Trial cut_corner(Random& random) {
 inline Trial leaning_tower(double height) {
   constexpr double lean = 2e-3;  // [rad]
   const Quat turned = rotation_from_vector(Vec3(0.0, 0.0, lean));
-  const BodyProperties block = fixed_box_properties(Vec3(3.0, 1.0, 3.0));
-  const BodyProperties tower = box_properties(Vec3(1.0, height, 1.0), 1.0);
   Trial trial;
-  trial.world.add(block, make_state(block, Vec3::Zero(), turned));
-  trial.world.add(tower, make_state(tower, turned * Vec3(0.0, 0.5 + 0.5 * height, 0.0), turned));
+  trial.world.add(fixed_box_properties(Vec3(3.0, 1.0, 3.0)), Vec3::Zero(), turned);
+  trial.world.add(box_properties(Vec3(1.0, height, 1.0), 1.0),
+                  turned * Vec3(0.0, 0.5 + 0.5 * height, 0.0), turned);
   trial.contacts = touching(trial.world);
   trial.body = 1;
   judge({}, trial);
@@ -130,8 +128,7 @@ inline Trial prism_trial(int sides, Random& random) {
 // All bodies of a random pile on which exact rules differ.
 inline std::vector<Trial> pile_disputes(std::uint64_t seed) {
   std::vector<Trial> trials;
-  Trial trial;
-  trial.world = random_pile(seed);
+  Trial trial{.world = random_pile(seed)};
   trial.contacts = touching(trial.world);
   trial.stable = called_stable(StabilityLevel::hull, trial.world, trial.contacts);
   const std::vector<char> text = called_stable_by_text(trial.world, trial.contacts, kExact);

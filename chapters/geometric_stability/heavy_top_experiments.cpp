@@ -11,7 +11,7 @@ namespace tumble::chapters {
 
 RestingPile heavy_top(double mass_ratio, double offset, double friction) {
   return pile_of(build_world(
-      scene_with("fig6_5", {setting("mass_ratio", mass_ratio), setting("offset", offset),
+      make_scene("fig6_5", {setting("mass_ratio", mass_ratio), setting("offset", offset),
                             setting("friction", friction)})));
 }
 

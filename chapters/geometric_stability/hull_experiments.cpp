@@ -96,8 +96,7 @@ Result measure_hull(const Parameters& settings) {
     const KindCount& count = kinds[idx(kind)];
     table.add(kind, count.differ, count.right);
   }
-  Result result;
-  result.tables = {table};
+  Result result{.tables = {table}};
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     if (!drawn[k]) throw std::runtime_error("no body of kind " + std::to_string(k) + " to draw");
     const std::string suffix = "plan" + std::to_string(k + 1);

@@ -72,7 +72,7 @@ Table shares_of(const std::string& suffix, const std::vector<LoadedBox>& boxes,
   std::vector<double> ratios;
   for (const LoadedBox& box : boxes)
     if (chosen(box)) ratios.push_back(std::max(box.ratio, none));
-  std::sort(ratios.begin(), ratios.end());
+  std::ranges::sort(ratios);
   Table table{suffix,
               {{"ratio", "-", "largest acceleration over that by the load alone; 1e-17: or none"},
                {"share", "-", "of the boxes, with at most this"}}};
@@ -98,7 +98,7 @@ Result measure_any_load(const Parameters& settings) {
     return counts;
   };
   const auto count = [&](const Choice& chosen) {
-    return static_cast<double>(std::count_if(boxes.begin(), boxes.end(), chosen));
+    return static_cast<double>(std::ranges::count_if(boxes, chosen));
   };
   const auto worst = [&](const Choice& chosen, double LoadedBox::*ratio) {
     double most = 0.0;

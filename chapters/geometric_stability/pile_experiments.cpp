@@ -116,7 +116,7 @@ Result measure_confusion(const Parameters& settings) {
   };
   const auto most = [&](const auto& number) {
     const std::vector<double> values = each(number);
-    return *std::max_element(values.begin(), values.end());
+    return *std::ranges::max_element(values);
   };
   const auto all = [&](const auto& number) { return sum_without(each(number), -1); };
 

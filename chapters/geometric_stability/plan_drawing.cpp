@@ -102,8 +102,8 @@ int below_in(const Trial& trial, const Contact& contact) {
 
 // Whether a body carries the one that the trial is about.
 bool is_below(const Trial& trial, int body) {
-  return std::any_of(trial.contacts.begin(), trial.contacts.end(),
-                     [&](const Contact& contact) { return below_in(trial, contact) == body; });
+  return std::ranges::any_of(
+      trial.contacts, [&](const Contact& contact) { return below_in(trial, contact) == body; });
 }
 
 // Bodies that unstable supports touch, but for the trial's: their neighbours and their own supports.
@@ -177,8 +177,8 @@ Drawing plan_of(const Trial& trial, const std::string& suffix) {
 
 Drawing enlarged_corner_of(const Trial& trial, const std::string& suffix) {
   const std::vector<Vec2> outline = outline_of(trial, trial.body);
-  const Vec2 corner = *std::max_element(outline.begin(), outline.end(),
-                                        [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
+  const Vec2 corner = *std::ranges::max_element(
+      outline, [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
   const double near =
       tolerance::corner_support * trial.world.bodies()[idx(trial.body)].size.minCoeff();
   Plan plan = drawn(trial, {corner, 3.0 * near});

@@ -97,7 +97,7 @@ inline PrismOnBlocks random_prism(int sides, Random& random) {
   scene.contacts = touching(scene.world);
   scene.prism = scene.world.count();
   const BodyProperties body = prism_properties(sides);
-  const BodyId id = scene.world.add(body, make_state(body, Vec3(0.0, kBlock + 0.5 * kHeight, 0.0)));
+  const BodyId id = scene.world.add(body, Vec3(0.0, kBlock + 0.5 * kHeight, 0.0));
   for (int k = 1; k < scene.prism; ++k) {
     const auto b = static_cast<std::size_t>(k);
     const std::array<Vec2, 4> corners =
@@ -106,11 +106,8 @@ inline PrismOnBlocks random_prism(int sides, Random& random) {
     std::vector<Vec2> top;
     convex_hull(points, top);
     const std::vector<Vec2> area = common_area(outline, top);
-    Contact contact;
-    contact.first = k;
-    contact.first_id = scene.world.ids()[b];
-    contact.second = scene.prism;
-    contact.second_id = id;
+    Contact contact{
+        .first_id = scene.world.ids()[b], .second_id = id, .first = k, .second = scene.prism};
     for (const Vec2& xz : area)
       if (contact.count < Manifold::kMostPoints)
         contact.points[static_cast<std::size_t>(contact.count++)].position_w =

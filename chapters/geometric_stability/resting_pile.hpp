@@ -46,7 +46,7 @@ inline RestingPile pile_now(const World& world, double dt) {
 // gap: [-] between neighbours, in edges
 inline RestingPile pyramid_without_middle(int rows, double gap) {
   return pile_of(
-      build_world(scene_with("fig5_6", {"rows=" + std::to_string(rows), setting("gap", gap)})));
+      build_world(make_scene("fig5_6", {"rows=" + std::to_string(rows), setting("gap", gap)})));
 }
 
 // Contact forces of a pile, and accelerations by them.
@@ -62,8 +62,7 @@ inline RestingForces forces_of(const RestingPile& pile, const std::string& solve
                                StableRule rule) {
   ContactForces forces({.solver = solver, .friction = false, .stable_boxes = rule});
   ContactList contacts = pile.contacts;
-  RestingForces found;
-  found.report = forces.solve(pile.world, pile.bodies, contacts, {});
+  RestingForces found{.report = forces.solve(pile.world, pile.bodies, contacts, {})};
   if (found.report.status != LcpStatus::solved)
     throw std::runtime_error(solver + " did not solve the pile");
   found.accelerations.assign(forces.accelerations().begin(), forces.accelerations().end());
@@ -138,9 +137,8 @@ struct CountedRun {
 // out, at 60 steps a second.
 inline CountedRun count_run(World world, int steps,
                             const std::function<void(const World&)>& before = {}) {
-  AnalyticOptions options;
-  options.friction = AnalyticFriction::damping;
-  options.stable_boxes = StableRule::corners;
+  AnalyticOptions options{.friction = AnalyticFriction::damping,
+                          .stable_boxes = StableRule::corners};
   Analytic analytic(options);
   StableBoxes boxes(StableRule::corners);
   CountedRun run;

@@ -19,11 +19,8 @@ constexpr std::size_t kLower = 1;  // indices; the ground is 0
 constexpr std::size_t kUpper = 2;
 
 World start_of(const SlideSetup& setup) {
-  const SceneRecipe& recipe = scene_recipe("fig5_4");
-  Parameters parameters = recipe.parameters();
-  parameters.set("offset", full_text(setup.offset));
-  parameters.set("speed", full_text(setup.speed));
-  Scene scene = recipe.build(parameters, Random(1));
+  Scene scene =
+      make_scene("fig5_4", {setting("offset", setup.offset), setting("speed", setup.speed)});
   for (SceneBox& box : scene.boxes) {
     box.size *= setup.scale;
     box.position_w *= setup.scale;
@@ -51,7 +48,7 @@ std::unique_ptr<Technique> technique_of(const SlideSetup& setup) {
 bool marks(const Technique& technique, const World& world) {
   if (const auto* damped = dynamic_cast<const Damped*>(&technique)) {
     const std::span<const BodyId> ids = damped->stable_bodies();
-    return std::find(ids.begin(), ids.end(), world.ids()[kUpper]) != ids.end();
+    return std::ranges::find(ids, world.ids()[kUpper]) != ids.end();
   }
   const std::span<const char> held = dynamic_cast<const Analytic&>(technique).held();
   return !held.empty() && held[kUpper] != 0;
@@ -104,9 +101,7 @@ SlideRun slide(const SlideSetup& setup) {
   for (int k = 0; k < setup.steps; ++k) {
     const double before = speed_of_upper(world);
     const StepReport report = finished(technique->step(world, kStep));
-    SlideStep step;
-    step.speed = speed_of_upper(world);
-    step.overhang = overhang(world);
+    SlideStep step{.speed = speed_of_upper(world), .overhang = overhang(world)};
     // Damped integration goes by the mark that the step before has left; the other one looks
     // before it finds its forces.
     step.counted_stable = damped ? marked : marks(*technique, world);

@@ -24,8 +24,7 @@ struct LookedAt {
 };
 
 LookedAt look_at(int rows, double gap) {
-  LookedAt seen;
-  seen.pile = pyramid_without_middle(rows, gap);
+  LookedAt seen{.pile = pyramid_without_middle(rows, gap)};
   const RestingForces all = forces_of(seen.pile, kSolver, StableRule::off);
   const RestingForces left = forces_of(seen.pile, kSolver, StableRule::corners);
   LoadProof().run(seen.pile.world, seen.pile.contacts, seen.load_proof);

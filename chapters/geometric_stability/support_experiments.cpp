@@ -23,7 +23,7 @@ RestingPile pile_with(std::string_view name, const Parameters& settings,
                       std::initializer_list<const char*> keys) {
   std::vector<std::string> own;
   for (const char* key : keys) own.push_back(setting(key, settings.number(key)));
-  return pile_of(build_world(scene_with(name, own)));
+  return pile_of(build_world(make_scene(name, own)));
 }
 
 int index_of(const World& world, std::string_view name) {
@@ -160,14 +160,13 @@ Result measure(const RestingPile& pile, const Parameters& settings) {
   const RuleVerdict corners = verdict_of(StableRule::corners, pile.world, pile.contacts, top);
   const RuleVerdict hull = verdict_of(StableRule::hull, pile.world, pile.contacts, top);
   const auto [by_weight, by_load] = accelerations_of(pile, settings);
-  const auto below = std::count_if(plane.below.begin(), plane.below.end(),
-                                   [&](int body) { return corners.all[idx(body)] != 0; });
-  Result result;
-  result.tables = tables_of(pile, plane);
+  const auto below =
+      std::ranges::count_if(plane.below, [&](int body) { return corners.all[idx(body)] != 0; });
+  Result result{.tables = tables_of(pile, plane)};
   result.quantities = {
       {"boxes below that are stable", "-", below},
       {"lower corners of the top box that they carry", "-",
-       std::count(plane.carried.begin(), plane.carried.end(), true)},
+       std::ranges::count(plane.carried, true)},
       {"area of the hull of its contact points over that of its outline", "-",
        area_of(plane.hull) / area_of(plane.corners)},
       {"stable by the four corners", "-", corners.stable},

@@ -77,12 +77,12 @@ Result measure_thresholds(const Parameters& settings) {
       std::max({largest(stairs, 6), largest(stairs, 7), largest(edge, 1), largest(edge, 2), fro});
   const double mass = largest(masses, 4);
   // How many of the heaviest tops the rule of own centres lets stand.
-  const auto own_stands = std::count_if(
-      masses.rows.begin(), masses.rows.end(),
-      [](const std::vector<double>& row) { return own_centres_stand(heavy_top(100.0, row[0])); });
+  const auto own_stands = std::ranges::count_if(masses.rows, [](const std::vector<double>& row) {
+    return own_centres_stand(heavy_top(100.0, row[0]));
+  });
 
   const BalanceWork pyramid = work_of(pile_of(
-      build_world(scene_with("pyramid", {"rows=" + std::to_string(settings.count("rows"))}))));
+      build_world(make_scene("pyramid", {"rows=" + std::to_string(settings.count("rows"))}))));
   const BalanceWork heavy = work_of(heavy_top(1.0, 0.2));
   const auto ratio = [](const BalanceWork& work) {
     return static_cast<double>(work.multiplications) /

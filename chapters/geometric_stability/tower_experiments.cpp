@@ -27,7 +27,7 @@ RestingPile blocks_over_edge(int blocks, double overhang) {
   double right = 0.0;  // [m] of the edge below
   for (int k = blocks; k >= 1; --k) {
     right += overhang / largest_overhang(blocks) * 0.5 / k;
-    world.add(block, make_state(block, Vec3(right - 0.5, 0.25 * (blocks - k) + 0.125, 0.0)));
+    world.add(block, Vec3(right - 0.5, 0.25 * (blocks - k) + 0.125, 0.0));
   }
   return pile_of(std::move(world));
 }
@@ -36,7 +36,7 @@ RestingPile blocks_over_edge(int blocks, double overhang) {
 
 RestingPile series_of(std::string_view pattern, int blocks, double overhang) {
   return pile_of(build_world(
-      scene_with("fig6_4", {"pattern=" + std::string(pattern), "count=" + std::to_string(blocks),
+      make_scene("fig6_4", {"pattern=" + std::string(pattern), "count=" + std::to_string(blocks),
                             setting("overhang", overhang)})));
 }
 

@@ -26,7 +26,7 @@ struct Tried {
     double sum = 0.0;
     for (std::size_t k = 0; k < ends.size(); ++k)
       if (static_cast<int>(k) != left_out)
-        sum += static_cast<double>(std::count_if(ends[k].begin(), ends[k].end(), has));
+        sum += static_cast<double>(std::ranges::count_if(ends[k], has));
     return sum;
   }
   double rest_time(int left_out) const {

@@ -35,8 +35,7 @@ DampedOptions options_of(const Setting& setting, const Rule& rule, int seed) {
 
 World thrown(const std::string& scene, int seed) {
   if (scene == "clump") return clump(3, seed);
-  const SceneRecipe& recipe = scene_recipe(scene);
-  return build_world(recipe.build(recipe.parameters(), Random(static_cast<std::uint64_t>(seed))));
+  return build_world(make_scene(scene, {}, static_cast<std::uint64_t>(seed)));
 }
 
 // By seed: the time to rest, mean over the dice of a throw. A die that does not rest counts with the whole run.

@@ -44,8 +44,7 @@ struct ChatterPicture {
 
 inline ChatterPicture coloured_by_chatter(const World& world, const ChatterMeter& meter) {
   constexpr std::uint32_t moving = 0x8a8a8a;  // does not rest, so chatter does not apply
-  ChatterPicture picture;
-  picture.boxes = picture_boxes(world);
+  ChatterPicture picture{.boxes = picture_boxes(world)};
   const std::vector<BodyChatter> resting = meter.each(world.gravity_w.norm());
   auto next = resting.begin();  // both are in the order of ids
   std::size_t drawn = 0;

@@ -39,15 +39,13 @@ World build(const Stack& stack, int seed) {
     const double x = stack.aside * random.uniform(-1.0, 1.0);
     const double z = stack.aside * random.uniform(-1.0, 1.0);
     const Vec3 turn_w(0.0, stack.turn * random.uniform(-1.0, 1.0), 0.0);
-    world.add(cube, make_state(cube, Vec3(x, k + 0.5, z), rotation_from_vector(turn_w)));
+    world.add(cube, Vec3(x, k + 0.5, z), rotation_from_vector(turn_w));
   }
   return world;
 }
 
 Damped without_damping(const Method& method) {
-  DampedOptions options;
-  options.damping = damping_parts_from("none");
-  options.stable_boxes = StableRule::off;
+  DampedOptions options{.stable_boxes = StableRule::off, .damping = damping_parts_from("none")};
   options.noise.where = Randomness::off;
   options.shock = method.shock;
   options.points = method.points;

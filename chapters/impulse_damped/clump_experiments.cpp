@@ -33,7 +33,7 @@ double distance_to_axis(const World& world) {
 
 Result measure_clump_settles(const Parameters& settings) {
   const double duration = settings.number("duration");
-  PlayedScene played(scene_with("fig6_7", {"per_edge=" + std::to_string(settings.count("per_edge")),
+  PlayedScene played(make_scene("fig6_7", {"per_edge=" + std::to_string(settings.count("per_edge")),
                                            setting("speed", settings.number("speed"))}),
                      {"damped"});
   std::vector<std::vector<PictureBox>> frames = {picture_boxes(played.world())};

@@ -43,8 +43,7 @@ inline constexpr std::array<DampedScales, 4> other_scales{{{"thresholds halved",
 // Options of damped integration.
 inline DampedOptions damped_options(const std::string& parts, const DampedScales& scales,
                                     int seed) {
-  DampedOptions options;
-  options.damping = damping_parts_from(parts);
+  DampedOptions options{.damping = damping_parts_from(parts)};
   options.numbers.eps_scale = scales.eps;
   options.numbers.k_scale = scales.k;
   options.seed = static_cast<std::uint64_t>(seed);

@@ -29,9 +29,7 @@ double any_size(double low, double high, Random& random) {
 // A random state of a box. Sizes of momenta reach from well below the thresholds to well above.
 BodyState random_state(const BodyProperties& box, Random& random) {
   const DampedThresholds eps = thresholds_of(DampedNumbers{}, box, 9.81, kStep);
-  BodyState state;
-  state.position_w = Vec3(0.0, 10.0, 0.0);
-  state.orientation_wb = random.orientation();
+  BodyState state{.position_w = Vec3(0.0, 10.0, 0.0), .orientation_wb = random.orientation()};
   if (random.unit() < 0.5) {
     // A face nearly level: put upright, then turned by a small angle.
     const Quat upright = tilted_towards_y_axis(state.orientation_wb, 10.0);

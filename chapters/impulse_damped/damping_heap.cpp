@@ -29,9 +29,7 @@ Heap heap_of(const Vec3& size, int seed, double duration) {
       bricks.add(box_properties(size, 1.0), world.states()[static_cast<std::size_t>(k)]);
     world = bricks;
   }
-  DampedOptions options;
-  options.seed = static_cast<std::uint64_t>(seed);
-  Damped technique(options);
+  Damped technique({.seed = static_cast<std::uint64_t>(seed)});
   Heap heap;
   while (world.time() < duration - 0.5 * kStep) {
     const StepReport report = finished(technique.step(world, kStep));
@@ -68,7 +66,7 @@ double push_too_far(int states, int seed) {
 }  // namespace
 
 Quantity largest_found(const std::string& name, std::span<const double> values) {
-  return {name, "-", *std::max_element(values.begin(), values.end())};
+  return {name, "-", *std::ranges::max_element(values)};
 }
 
 void add_push_energy(int states, int seeds, Result& result) {

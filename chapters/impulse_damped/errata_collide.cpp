@@ -72,11 +72,8 @@ std::vector<PrintedObject> objects_of(const World& world) {
 }
 
 Contact contact_at(std::vector<Vec3> points) {
-  Contact contact;
-  contact.first = 0;
-  contact.second = 1;
-  contact.normal_w = Vec3::UnitY();
-  contact.count = static_cast<int>(points.size());
+  Contact contact{
+      .first = 0, .second = 1, .normal_w = Vec3::UnitY(), .count = static_cast<int>(points.size())};
   for (std::size_t k = 0; k < points.size(); ++k) contact.points[k].position_w = points[k];
   return contact;
 }
@@ -100,10 +97,9 @@ struct LeverArms {
 
 LeverArms lever_arms() {
   World world = ground_world();
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0);
   const Quat turned = rotation_from_vector(Vec3(0.0, 0.0, 0.3));
-  world.add(cube, make_state(cube, Vec3(0.0, 0.65, 0.0), turned, Vec3(0.0, -1.0, 0.0),
-                             Vec3(0.0, 0.0, 5.0)));
+  world.add(box_properties(Vec3::Ones(), 1.0, 0.0), Vec3(0.0, 0.65, 0.0), turned,
+            Vec3(0.0, -1.0, 0.0), Vec3(0.0, 0.0, 5.0));
   const auto edge_of = [&] {  // the middle of the lower edge that stands on the ground
     const BodyState& state = world.states()[1];
     return Vec3(state.position_w + state.orientation_wb * Vec3(-0.5, -0.5, 0.0));
@@ -148,7 +144,7 @@ double energy_ratio(double lean) {
   // times something.
   const Vec3 spin_w = inverse.inverse().col(1).normalized();
   const Vec3 omega_w = inverse * spin_w;
-  world.add(brick, make_state(brick, Vec3(0.0, 5.0, 0.0), turned, Vec3::Zero(), omega_w));
+  world.add(brick, Vec3(0.0, 5.0, 0.0), turned, Vec3::Zero(), omega_w);
   std::vector<PrintedObject> objects = objects_of(world);
   objects[1].geometrically_stable = true;
   const double before = objects[1].kinetic_energy(Vec3::Zero());

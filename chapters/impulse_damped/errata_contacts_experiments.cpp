@@ -126,10 +126,9 @@ double unrest(Technique&& technique, double seconds) {
 }
 
 Damped shock_propagation() {
-  DampedOptions options;
-  options.shock = ShockRule::velocity;
-  options.stable_boxes = StableRule::off;
-  options.damping = damping_parts_from("none");
+  DampedOptions options{.shock = ShockRule::velocity,
+                        .stable_boxes = StableRule::off,
+                        .damping = damping_parts_from("none")};
   options.noise.where = Randomness::off;
   return Damped(options);
 }
@@ -139,9 +138,8 @@ World after_impact(World world) {
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);
   ContactList contacts = contacts_of(world, 1e-9);
-  ImpactOptions together;
-  together.order = ImpactOrder::simultaneous;
-  if (ImpactSolver().resolve(contacts, moving, together).status != ImpactStatus::done)
+  if (ImpactSolver().resolve(contacts, moving, {.order = ImpactOrder::simultaneous}).status !=
+      ImpactStatus::done)
     throw std::runtime_error("an impact without an answer");
   store_moving_bodies(moving, world);
   return world;
@@ -185,9 +183,8 @@ World squeezed_cube() {
 // RC4. By how much a cube turns in the air in half a second at 1 rad/s.
 double turned(const DampedErrata& repaired) {
   World world;
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0);
-  world.add(cube,
-            make_state(cube, Vec3(0.0, 9.0, 0.0), Quat::Identity(), Vec3::Zero(), Vec3::UnitY()));
+  world.add(box_properties(Vec3::Ones(), 1.0, 0.0), Vec3(0.0, 9.0, 0.0), Quat::Identity(),
+            Vec3::Zero(), Vec3::UnitY());
   DampedAsPrinted technique(undamped(repaired));
   double angle = 0.0;
   for (int step = 0; step < 30; ++step) {

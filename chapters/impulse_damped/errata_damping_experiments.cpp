@@ -85,10 +85,8 @@ double height_of_throw(double k1, bool remembered) {
 
 // DM8. What a second in contact leaves, in steps of 1/120 s, with the factors of a step.
 double left_after_a_second(double k1, double dt) {
-  DampedNumbers usual;
-  usual.k1 = k1;
-  PrintedNumbers numbers;
-  numbers.k = factors_of(usual, dt);
+  DampedNumbers usual{.k1 = k1};
+  PrintedNumbers numbers{.k = factors_of(usual, dt)};
   World world = world_with_cube(Vec3::UnitX());
   constexpr int steps = 120;
   for (int step = 0; step < steps; ++step)
@@ -132,8 +130,7 @@ double ended_slide(bool own_thresholds) {
                           : usual_thresholds().still;
   const auto ended = [&](double speed) {
     World world;
-    world.add(small_cube,
-              make_state(small_cube, Vec3::Zero(), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
+    world.add(small_cube, Vec3::Zero(), Quat::Identity(), Vec3(speed, 0.0, 0.0));
     dampen(world, true, numbers);
     return world.states()[0].linear_momentum_w.x() == 0.0;
   };
@@ -163,7 +160,7 @@ constexpr double kSmaller = 0.98;  // [-] largest of the smaller component, the 
 // L = (1, y, 0): set to 0 is the component along y, or all of L if all of it is small.
 double energy_left(const BodyProperties& box, double angle, double y, bool whole) {
   World world;
-  world.add(box, make_state(box, Vec3::Zero(), turned_about_z(angle)));
+  world.add(box, Vec3::Zero(), turned_about_z(angle));
   BodyState& state = world.states()[0];
   state.angular_momentum_w = Vec3(1.0, y, 0.0);
   const double before = kinetic_energy(box, state);

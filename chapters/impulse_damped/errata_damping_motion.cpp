@@ -12,7 +12,7 @@ constexpr double kPi = 3.14159265358979323846;
 Vec3 lowest_corner(const World& world, int& which) {
   const std::array<Vec3, 8> corners = corners_of(box_of(world.bodies()[0], world.states()[0]));
   const auto lower = [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); };
-  const auto lowest = std::min_element(corners.begin(), corners.end(), lower);
+  const auto lowest = std::ranges::min_element(corners, lower);
   which = static_cast<int>(lowest - corners.begin());
   return *lowest;
 }
@@ -51,7 +51,7 @@ void add_pivot(double k1, Result& result) {
 // motion that they have in common.
 std::vector<double> fall_speeds(double k1, bool against_each_other, int steps) {
   World world = world_with_cube(Vec3::Zero());
-  world.add(unit_cube(), make_state(unit_cube(), Vec3::UnitX()));
+  world.add(unit_cube(), Vec3::UnitX());
   PrintedNumbers numbers;
   numbers.k.momentum = k1;
   std::vector<double> speeds = {0.0};
@@ -131,7 +131,7 @@ void add_path(double k1, Result& result) {
 std::vector<double> fall_beside_wall(bool any_contact, int steps) {
   World world;
   add_fixed_box(world, Vec3(1.0, 100.0, 1.0), Vec3::Zero());
-  world.add(unit_cube(), make_state(unit_cube(), Vec3::UnitX()));
+  world.add(unit_cube(), Vec3::UnitX());
   PrintedNumbers numbers;
   numbers.eps.aligned = usual_thresholds().aligned;
   numbers.eps.settled = 0.2;  // [N s] above m g dt = 0.1635 N s

@@ -48,9 +48,7 @@ void add_overlap_left(World world, const std::string& what, const std::string& p
   result.add(what + cured, "m", deepest_overlap(mended));
 }
 
-void add_cube(World& world, const Vec3& place_w) {
-  world.add(unit_cube(), make_state(unit_cube(), place_w));
-}
+void add_cube(World& world, const Vec3& place_w) { world.add(unit_cube(), place_w); }
 
 // X1. A cube has fallen so fast that its centre is 0.1 m below the ground: the ground is the upper
 // body, and pushing it leads nowhere.
@@ -121,11 +119,9 @@ World plank_on_pillar(double sunk) {
   // The pillar's left upper edge is in the plank's lower face, 2 m from its middle.
   const Vec3 edge_w(1.6, 3.2, 0.0);
   add_fixed_box(world, Vec3(0.5, 3.2, 2.0), Vec3(1.6 + 0.25, 1.6, 0.0));
-  const BodyProperties plank = box_properties(Vec3(6.0, 0.2, 1.0), 1.0);
   const Vec3 middle_w = edge_w - 2.0 * along_w + (0.1 - sunk) * across_w;
-  world.add(plank, make_state(plank, middle_w, lean));
-  world.add(unit_cube(),
-            make_state(unit_cube(), middle_w - 2.0 * along_w + (0.6 - 1e-6) * across_w, lean));
+  world.add(box_properties(Vec3(6.0, 0.2, 1.0), 1.0), middle_w, lean);
+  world.add(unit_cube(), middle_w - 2.0 * along_w + (0.6 - 1e-6) * across_w, lean);
   return world;
 }
 
@@ -153,7 +149,7 @@ World stack() {
   World world;
   world.add_ground();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.5, 0.9);
-  for (int k = 0; k < 5; ++k) world.add(cube, make_state(cube, Vec3(0.0, 0.5 + k, 0.0)));
+  for (int k = 0; k < 5; ++k) world.add(cube, Vec3(0.0, 0.5 + k, 0.0));
   return world;
 }
 
@@ -179,19 +175,16 @@ DampedAsPrinted pushes(bool stable_boxes) {
 
 // The same with the usual damping, all ε being multiplied.
 DampedAsPrinted damped_pushes(double eps_scale) {
-  DampedAsPrintedOptions options;
-  options.repaired = DampedErrata::all();
-  options.stable_boxes = false;
+  DampedAsPrintedOptions options{.repaired = DampedErrata::all(), .stable_boxes = false};
   options.numbers.eps_scale = eps_scale;
   return DampedAsPrinted(options);
 }
 
 // What the pushes took the place of: velocities are stopped from the ground up. Not damped, either.
 Damped shock_of_velocities() {
-  DampedOptions options;
-  options.numbers = undamped(DampedErrata::all()).numbers;
-  options.stable_boxes = StableRule::off;
-  options.shock = ShockRule::velocity;
+  DampedOptions options{.shock = ShockRule::velocity,
+                        .stable_boxes = StableRule::off,
+                        .numbers = undamped(DampedErrata::all()).numbers};
   return Damped(options);
 }
 

@@ -42,9 +42,7 @@ inline void add_paths(Result& result, const std::string& suffix, const std::vect
 // Damped integration as printed, without any damping.
 [[nodiscard]] inline DampedAsPrintedOptions undamped(const DampedErrata& repaired,
                                                      bool stable_boxes = true) {
-  DampedAsPrintedOptions options;
-  options.repaired = repaired;
-  options.stable_boxes = stable_boxes;
+  DampedAsPrintedOptions options{.repaired = repaired, .stable_boxes = stable_boxes};
   DampedNumbers& n = options.numbers;
   n.k1 = n.k2 = n.k3 = n.k5 = n.k7 = 1.0;
   n.eps2 = n.eps3 = n.eps4 = n.eps5 = n.eps6 = n.eps7 = n.eps8 = n.eps10 = n.eps11 = 0.0;
@@ -67,8 +65,7 @@ inline void add_paths(Result& result, const std::string& suffix, const std::vect
 // restitution: [-]
 inline int add_box(World& world, const Vec3& size, const Vec3& position_w,
                    const Vec3& velocity_w = Vec3::Zero(), double restitution = 0.0) {
-  const BodyProperties box = box_properties(size, 1.0, 0.0, restitution);
-  world.add(box, make_state(box, position_w, Quat::Identity(), velocity_w));
+  world.add(box_properties(size, 1.0, 0.0, restitution), position_w, Quat::Identity(), velocity_w);
   return world.count() - 1;
 }
 
@@ -77,8 +74,7 @@ inline int add_box(World& world, const Vec3& size, const Vec3& position_w,
 // position_w: [m] its centre
 inline void add_fixed_box(World& world, const Vec3& size, const Vec3& position_w,
                           const Quat& orientation_wb = Quat::Identity()) {
-  const BodyProperties body = fixed_box_properties(size);
-  world.add(body, make_state(body, position_w, orientation_wb));
+  world.add(fixed_box_properties(size), position_w, orientation_wb);
 }
 
 // The ground and a cube of 1 m on it.

@@ -24,8 +24,7 @@ struct StabilityScene {
 
 void add_turned_box(World& world, const Vec3& size, const Vec3& place_w,
                     const Quat& orientation = Quat::Identity()) {
-  const BodyProperties body = box_properties(size, 1.0);
-  world.add(body, make_state(body, place_w, orientation));
+  world.add(box_properties(size, 1.0), place_w, orientation);
 }
 
 void find_contacts(StabilityScene& scene) {
@@ -142,8 +141,7 @@ StabilityScene half_off() {
 StabilityScene rising() {
   StabilityScene scene;
   scene.world.add_ground();
-  scene.world.add(unit_cube(), make_state(unit_cube(), Vec3(0.0, 0.5, 0.0), Quat::Identity(),
-                                          Vec3(0.0, 1.0, 0.0)));
+  scene.world.add(unit_cube(), Vec3(0.0, 0.5, 0.0), Quat::Identity(), Vec3(0.0, 1.0, 0.0));
   find_contacts(scene);
   return scene;
 }

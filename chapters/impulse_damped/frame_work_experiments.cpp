@@ -47,9 +47,9 @@ Result measure_frame_work(const Parameters& settings) {
                 {"impulses_coulomb", "-", "impulses in a step, contact_damped, mean"}}};
   Table pyramids{"pyramid", clumps.columns};
   for (int per_edge = 2; per_edge <= settings.count("per_edge"); ++per_edge)
-    add_row(scene_with("fig6_7", {"per_edge=" + std::to_string(per_edge)}), duration, clumps);
+    add_row(make_scene("fig6_7", {"per_edge=" + std::to_string(per_edge)}), duration, clumps);
   for (int rows = 4; rows <= settings.count("rows"); rows += 2)
-    add_row(scene_with("pyramid", {"rows=" + std::to_string(rows)}), duration, pyramids);
+    add_row(make_scene("pyramid", {"rows=" + std::to_string(rows)}), duration, pyramids);
   const std::vector<double>& clump = clumps.rows.back();
   return {{clumps, pyramids},
           {{"pairs that were tested for contact in a step of the clump of figure 6.7, on average",

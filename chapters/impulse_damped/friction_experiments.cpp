@@ -21,7 +21,7 @@ struct Speeds {
   }
   // The largest speed that a body has had.
   [[nodiscard]] double fastest(std::size_t body) const {
-    return *std::max_element(speed[body].begin(), speed[body].end());
+    return *std::ranges::max_element(speed[body]);
   }
 };
 
@@ -48,7 +48,7 @@ Speeds speeds_of(const Scene& scene, const PlayedTechnique& technique,
 
 Speeds blocks(const std::vector<std::string>& scene, const PlayedTechnique& technique,
               double duration) {
-  return speeds_of(scene_with("fig5_2", scene), technique, {"A", "B"}, duration);
+  return speeds_of(make_scene("fig5_2", scene), technique, {"A", "B"}, duration);
 }
 
 // When the upper block does not slide on the lower one any more.
@@ -114,12 +114,11 @@ Result measure_sliding_blocks(const Parameters& settings) {
                {"coulomb_N", "N", "the same, Coulomb's friction"}}};
   const std::array<const char*, 2> masses{"mass", "lower_mass"};
   std::array<std::array<double, 2>, 2> forces{};  // of A and B: damped, Coulomb
-  const Scene layout = scene_with("fig5_2", scene);
+  const Scene layout = make_scene("fig5_2", scene);
   for (std::size_t body = 0; body < 2; ++body) {
     forces[body] = {force(damped, body, masses[body]), force(coulomb, body, masses[body])};
-    const auto box = std::find_if(layout.boxes.begin(), layout.boxes.end(), [&](const SceneBox& b) {
-      return b.name == (body == 0 ? "A" : "B");
-    });
+    const auto box = std::ranges::find_if(
+        layout.boxes, [&](const SceneBox& b) { return b.name == (body == 0 ? "A" : "B"); });
     drawn.add(box->position_w.x(), box->position_w.y(), box->size.x(), box->size.y(), forces[body]);
   }
   const double common = settings.number("mass") * settings.number("speed") /
@@ -243,7 +242,7 @@ const Registered claim_5_3c_friction_figure{
 Result measure_friction_chain(const Parameters& settings) {
   const double duration = settings.number("duration");
   const std::string fast = setting("speed", settings.number("speed"));
-  const Scene scene = scene_with("sled", {fast});
+  const Scene scene = make_scene("sled", {fast});
   const std::vector<std::string> names = {"sled", "load1", "load2"};
   const Speeds coulomb = speeds_of(scene, coulomb_technique(), names, duration);
   const std::string decides =
@@ -258,7 +257,7 @@ Result measure_friction_chain(const Parameters& settings) {
     if (variant.words.empty()) damped = std::move(run);
   }
   for (const OtherFriction& other : other_frictions("sled")) {
-    const Scene changed = scene_with("sled", {fast, other.setting});
+    const Scene changed = make_scene("sled", {fast, other.setting});
     quantities.push_back({"the same, " + other.words, "-",
                           speeds_of(changed, {"damped"}, names, duration).fastest(2) /
                               speeds_of(changed, coulomb_technique(), names, duration).fastest(2)});

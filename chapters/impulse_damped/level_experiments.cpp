@@ -50,7 +50,7 @@ Moved moved_of(const Scene& scene, const std::vector<std::string>& options, doub
   return out;
 }
 
-Scene pyramid_of(int rows) { return scene_with("pyramid", {"rows=" + std::to_string(rows)}); }
+Scene pyramid_of(int rows) { return make_scene("pyramid", {"rows=" + std::to_string(rows)}); }
 
 std::vector<std::string> rule_of(const char* rule) {
   return {std::string("level_restitution=") + rule};
@@ -76,9 +76,7 @@ void add_pyramid(const std::array<Moved, 3>& by_rule, Result& result) {
                {"rising", "rad/s", "the same, rising"}}};
   for (std::size_t row = 0; row < constant.spins.size(); ++row)
     spins.add(row + 1, constant.spins[row], rising.spins[row]);
-  const auto most = [](const Moved& moved) {
-    return *std::max_element(moved.spins.begin(), moved.spins.end());
-  };
+  const auto most = [](const Moved& moved) { return *std::ranges::max_element(moved.spins); };
   result.add("largest spin that the first step leaves in the pyramid, constant", "rad/s",
              most(constant));
   result.add("largest spin that the first step leaves in the pyramid, rising", "rad/s",
@@ -107,7 +105,7 @@ Result measure_levels(const Parameters& settings) {
   result.tables.push_back(table);
   for (const char* rule : {"constant", "rising"})
     result.add(std::string("drift of the stack of ten, ") + rule, "mm",
-               moved_of(scene_with("stack", {"count=10"}), rule_of(rule), duration).drift);
+               moved_of(make_scene("stack", {"count=10"}), rule_of(rule), duration).drift);
   return result;
 }
 

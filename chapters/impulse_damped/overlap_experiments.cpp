@@ -80,18 +80,17 @@ std::vector<Overlap> overlaps(World world, const DampedOptions& options, double 
 }
 
 World heap(int per_edge, double restitution, int seed) {
-  const SceneRecipe& recipe = scene_recipe("clump");
-  Parameters parameters = recipe.parameters();
-  parameters.set("per_edge", std::to_string(per_edge));
-  parameters.set("restitution", std::to_string(restitution));
-  return build_world(recipe.build(parameters, Random(static_cast<std::uint64_t>(seed))));
+  return build_world(make_scene(
+      "clump",
+      {"per_edge=" + std::to_string(per_edge), "restitution=" + std::to_string(restitution)},
+      static_cast<std::uint64_t>(seed)));
 }
 
 World stack_of_five(double restitution) {
   World world;
   world.add_ground(0.5, restitution);
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.5, restitution);
-  for (int k = 0; k < 5; ++k) world.add(cube, make_state(cube, Vec3(0.0, k + 0.5, 0.0)));
+  for (int k = 0; k < 5; ++k) world.add(cube, Vec3(0.0, k + 0.5, 0.0));
   return world;
 }
 
@@ -118,9 +117,7 @@ Result measure_overlap_left(const Parameters& settings) {
   const double duration = settings.number("duration");
   const int seeds = settings.count("seeds");
   const DampedOptions usual;
-  DampedOptions loose;
-  loose.damping = damping_parts_from("none");
-  loose.stable_boxes = StableRule::off;
+  DampedOptions loose{.stable_boxes = StableRule::off, .damping = damping_parts_from("none")};
 
   std::vector<std::vector<Overlap>> heaps;
   std::vector<std::vector<Overlap>> loose_heaps;

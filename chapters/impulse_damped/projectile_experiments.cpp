@@ -30,7 +30,7 @@ Scene shot_scene(const Parameters& settings) {
   std::vector<std::string> scene = {"rows=" + std::to_string(settings.count("rows"))};
   for (const char* key : {"height", "speed", "mass", "appears"})
     scene.push_back(setting(key, settings.number(key)));
-  return scene_with("fig6_6", scene);
+  return make_scene("fig6_6", scene);
 }
 
 // The largest distance that a box is from where it was.
@@ -81,12 +81,11 @@ Result measure_projectile(const Parameters& settings) {
 
   // From behind and above the start of the shot.
   const SceneBox& shot = played.scene().boxes.back();
-  Camera camera;
-  camera.eye_w = shot.position_w + Vec3(3.5, 4.5, 9.0);
-  camera.target_w = Vec3(0.0, 0.47 * settings.count("rows"), 0.0);
-  camera.field_of_view = 0.74;
-  camera.width = 300.0;
-  camera.height = 200.0;
+  Camera camera{.eye_w = shot.position_w + Vec3(3.5, 4.5, 9.0),
+                .target_w = Vec3(0.0, 0.47 * settings.count("rows"), 0.0),
+                .field_of_view = 0.74,
+                .width = 300.0,
+                .height = 200.0};
   std::vector<Drawing> drawings;  // all show the ground around the boxes of every frame
   // The hole and what was shot out of it are behind the pyramid: the later half is seen from there.
   Camera behind = camera;

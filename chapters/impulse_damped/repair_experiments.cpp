@@ -19,7 +19,7 @@ World pressed_stack(int boxes, double restitution, double depth, int seed) {
   double height = 0.0;
   for (int k = 0; k < boxes; ++k) {
     height += 1.0 - depth * random.uniform(0.0, 1.0);
-    world.add(cube, make_state(cube, Vec3(0.0, height - 0.5, 0.0)));
+    world.add(cube, Vec3(0.0, height - 0.5, 0.0));
   }
   return world;
 }
@@ -105,8 +105,7 @@ Ratio ratio_of(int boxes, double restitution, double depth, int seeds, Pass pass
     const Second with = watch(world, pass, options);
     out.kinetic.push_back(appeared(with, without));
     out.potential.push_back(with.added);
-    out.velocity =
-        std::max(out.velocity, *std::max_element(without.kinetic.begin(), without.kinetic.end()));
+    out.velocity = std::max(out.velocity, *std::ranges::max_element(without.kinetic));
     out.at_once = std::max(out.at_once, with.kinetic.front());
   }
   return out;

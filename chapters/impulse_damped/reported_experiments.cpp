@@ -51,7 +51,7 @@ bool any_hangs(const World& world, const std::vector<BodyState>& before) {
 
 Ending ending_of(const char* scene, const PlayedTechnique& technique, int seed, double duration) {
   const auto number = static_cast<std::uint64_t>(seed);
-  PlayedScene played(scene_with(scene, {}, number), technique, number);
+  PlayedScene played(make_scene(scene, {}, number), technique, number);
   MetricsMeter meter;
   ChatterMeter each;
   OverlapMeter touches;
@@ -80,7 +80,7 @@ Ending ending_of(const char* scene, const PlayedTechnique& technique, int seed, 
 // The median and, if asked for, the largest value.
 void report(std::vector<double> values, const std::string& name, const char* unit, bool largest,
             std::vector<Quantity>& numbers) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   numbers.push_back({name + ", median", unit, values[values.size() / 2]});
   if (largest) numbers.push_back({name + ", largest", unit, values.back()});
 }
@@ -130,7 +130,7 @@ void add_range(const Parameters& settings, const Known& known, Result& result) {
                                  : ending_of(figure == 0 ? "fig6_6" : "fig6_7", damped, seed,
                                              settings.number("duration"));
           const std::array<bool, 4> holds = end.sayings();
-          hold += 0.5 * static_cast<double>(std::count(holds.begin(), holds.end(), true)) / seeds;
+          hold += 0.5 * static_cast<double>(std::ranges::count(holds, true)) / seeds;
           chatter[figure] += end.chatter / seeds;
         }
       }

@@ -24,7 +24,7 @@ double play(const Scene& scene, const PlayedTechnique& technique, int seed, doub
 
 // Figure 6.6 made small. Chance takes the aim, the speed and how the cube is turned.
 Scene shot(int rows, int seed) {
-  Scene scene = scene_with("fig6_6", {"rows=" + std::to_string(rows), setting("appears", kShot),
+  Scene scene = make_scene("fig6_6", {"rows=" + std::to_string(rows), setting("appears", kShot),
                                       setting("height", 0.5 * rows)});
   Random random(static_cast<std::uint64_t>(seed));
   SceneBox& projectile = scene.boxes.back();
@@ -59,7 +59,7 @@ Quantity median_difference(const std::string& name, const std::vector<double>& d
     }
     differences.push_back(difference_of_medians(first, second));
   }
-  std::sort(differences.begin(), differences.end());
+  std::ranges::sort(differences);
   return {name,
           "-",
           difference_of_medians(damped, coulomb),
@@ -87,7 +87,7 @@ Result measure_what_is_seen(const Parameters& settings) {
   const std::string cubes = "per_edge=" + std::to_string(settings.count("per_edge"));
   const SceneOfSeed shots = [&](int seed) { return shot(rows, seed); };
   const SceneOfSeed clumps = [&](int seed) {
-    return scene_with("fig6_7", {cubes}, static_cast<std::uint64_t>(seed));
+    return make_scene("fig6_7", {cubes}, static_cast<std::uint64_t>(seed));
   };
   const std::string decides =
       "difference of the median travel over seeds, damped and with Coulomb's friction, over the "

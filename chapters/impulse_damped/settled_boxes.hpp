@@ -103,11 +103,8 @@ inline std::vector<BoxEnd> settle(World world, const DampedOptions& options, dou
 
 // Figure 6.7 with few cubes, 1.75 m from centre to centre, so that they meet soon.
 inline World clump(int per_edge, int seed) {
-  const SceneRecipe& recipe = scene_recipe("fig6_7");
-  Parameters p = recipe.parameters();
-  p.set("per_edge", std::to_string(per_edge));
-  p.set("spacing", "1.75");
-  return build_world(recipe.build(p, Random(static_cast<std::uint64_t>(seed))));
+  return build_world(make_scene("fig6_7", {"per_edge=" + std::to_string(per_edge), "spacing=1.75"},
+                                static_cast<std::uint64_t>(seed)));
 }
 
 // The scene `leaning` at a random angle of 50 to 75 degrees: three planks, each on its block.

@@ -20,8 +20,8 @@ constexpr double kRounding = 1e-6;  // [-] of the energy of the start: more is a
 bool is_shared(const std::string& name) {
   static constexpr std::array<const char*, 5> kShared{
       "tumble/base/", "tumble/math/", "tumble/geometry/", "tumble/dynamics/", "tumble/contact/"};
-  return std::any_of(kShared.begin(), kShared.end(),
-                     [&](const char* folder) { return name.rfind(folder, 0) == 0; });
+  return std::ranges::any_of(kShared,
+                             [&](const char* folder) { return name.rfind(folder, 0) == 0; });
 }
 
 // Lines with code of a file; what it includes is put into a list.
@@ -81,11 +81,9 @@ struct Ran {
 // Eight cubes that fall on one another from a column of random places and orientations.
 Ran run_pile(const PlayedTechnique& played, int seed, int cubes, double duration) {
   Random random(static_cast<std::uint64_t>(seed));
-  Scene scene;
-  scene.ground = SceneGround{0.5, 0.0};
+  Scene scene{.ground = SceneGround{0.5, 0.0}};
   for (int k = 0; k < cubes; ++k) {
-    SceneBox box;
-    box.name = "cube" + std::to_string(k + 1);
+    SceneBox box{.name = "cube" + std::to_string(k + 1)};
     const double aside = random.uniform(-0.4, 0.4);
     box.position_w = Vec3(aside, 1.2 + 1.8 * k, 0.0);
     box.orientation_wb = random.orientation();

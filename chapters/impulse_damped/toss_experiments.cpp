@@ -17,7 +17,7 @@ struct Tosses {
 using Outcomes = std::vector<Tosses>;
 
 void toss(const PlayedTechnique& technique, std::uint64_t seed, Tosses& tosses) {
-  PlayedScene played(scene_with("toss", {}, seed), technique, seed);
+  PlayedScene played(make_scene("toss", {}, seed), technique, seed);
   const std::size_t cube = played.index("cube");
   const Vec3 start_w = played.world().states()[cube].position_w;
   double moves = 0.0;  // [s] until then

@@ -30,7 +30,7 @@ inline constexpr double toss_still = 0.02;
 // A quantile, with straight lines between the sorted numbers.
 // share: [-] 0 to 1; 0.5 is the median
 inline double quantile_of(std::vector<double> numbers, double share) {
-  std::sort(numbers.begin(), numbers.end());
+  std::ranges::sort(numbers);
   const double place = share * static_cast<double>(numbers.size() - 1);
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, numbers.size() - 1);

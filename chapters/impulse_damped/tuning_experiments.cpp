@@ -17,8 +17,7 @@ constexpr std::array<double, 4> kRates{30.0, 60.0, 120.0, 240.0};  // [1/s] step
 
 // The three scenes: a cube that falls, turned; a stack of three; a light cube under a heavy one.
 Scene tuning_scene(int number) {
-  Scene scene;
-  scene.ground = SceneGround{0.5, 0.0};
+  Scene scene{.ground = SceneGround{0.5, 0.0}};
   const int count = number == 0 ? 1 : 4 - number;
   for (int k = 0; k < count; ++k) {
     SceneBox box{.name = "cube" + std::to_string(k + 1),
@@ -143,7 +142,7 @@ TuningSetting impulses(const std::vector<std::string>& options, double rate, dou
 
 template <class Carries>
 double share_that(const std::vector<TuningSetting>& settings, const Carries& carries) {
-  const auto some = std::count_if(settings.begin(), settings.end(), carries);
+  const auto some = std::ranges::count_if(settings, carries);
   return static_cast<double>(some) / static_cast<double>(settings.size());
 }
 

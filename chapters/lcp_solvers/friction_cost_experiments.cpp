@@ -86,8 +86,8 @@ class Path {
     double sum = 0.0;
     int entering = 2 * n_;
     for (int pivots = 1; pivots <= 100 * n_; ++pivots) {
-      const double k = static_cast<double>(
-          std::count_if(basis_.begin(), basis_.end(), [this](int u) { return u >= n_; }));
+      const double k =
+          static_cast<double>(std::ranges::count_if(basis_, [this](int u) { return u >= n_; }));
       sum += elimination(k) + k * (n_ - k);
       const int leaving = basis_[idx(row)];
       exchange(row, entering);
@@ -154,9 +154,7 @@ Result measure_friction_cost(const Parameters& settings) {
         velocity.linear_w = random.in_cube(0.1) - Vec3(0.0, 9.81 / 60.0, 0.0);
         velocity.angular_w = random.in_cube(0.1);
       }
-      LcpProblem plain;
-      plain.b = constant_part(factors, velocities);
-      plain.A = yields(factors);
+      LcpProblem plain{.A = yields(factors), .b = constant_part(factors, velocities)};
       const LcpProblem rough = with_friction(factors, velocities, friction);
       LcpResult result;
       BaraffSolver baraff;

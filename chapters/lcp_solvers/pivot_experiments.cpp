@@ -79,7 +79,7 @@ Table contact_table(const Planks& planks, const LcpResult& result) {
 
 // The acceleration of the contact that sinks fastest.
 double fastest_sinking(std::span<const double> a) {
-  return std::max(0.0, -*std::min_element(a.begin(), a.end()));
+  return std::max(0.0, -*std::ranges::min_element(a));
 }
 
 Result measure_index_sets(const Parameters& settings) {

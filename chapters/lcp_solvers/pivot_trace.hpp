@@ -31,9 +31,7 @@ class Recorder : public BaraffObserver {
 
   void on_step(const BaraffStep& step) override {
     const auto mover = static_cast<std::size_t>(step.ended_by);
-    TracedStep traced;
-    traced.driven = step.driven;
-    traced.ended_by = step.ended_by;
+    TracedStep traced{.driven = step.driven, .ended_by = step.ended_by};
     traced.end = step.ended_by == step.driven        ? StepEnd::rests
                  : step.sets[mover] == BaraffSet::NC ? StepEnd::stops
                                                      : StepEnd::returns;

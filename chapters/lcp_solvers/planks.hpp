@@ -29,19 +29,16 @@ inline constexpr double kPostHeight = 0.5;  // [m] height of the posts under the
 
 inline void add_post(World& world, double x, double height) {
   const BodyProperties post = fixed_box_properties(Vec3(kPlankThick, height, kPlankThick));
-  world.add(post, make_state(post, Vec3(x, 0.5 * height, 0.0)));
+  world.add(post, Vec3(x, 0.5 * height, 0.0));
 }
 
 inline void add_plank(World& world, double x, double bottom, double length, double mass) {
-  const BodyProperties plank = box_properties(Vec3(length, kPlankThick, kPlankThick), mass);
-  world.add(plank, make_state(plank, Vec3(x, bottom + 0.5 * kPlankThick, 0.0)));
+  world.add(box_properties(Vec3(length, kPlankThick, kPlankThick), mass),
+            Vec3(x, bottom + 0.5 * kPlankThick, 0.0));
 }
 
 inline Contact contact_at(int first, int second, double x, double y) {
-  Contact contact;
-  contact.first = first;
-  contact.second = second;
-  contact.count = 1;
+  Contact contact{.first = first, .second = second, .count = 1};
   contact.points[0].position_w = Vec3(x, y, 0.0);
   return contact;
 }

@@ -60,9 +60,7 @@ inline LcpProblem with_loads(Random& random, LcpFactors factors) {
     load.linear_w = random.in_cube(10.0);
     load.angular_w = random.in_cube(10.0);
   }
-  LcpProblem problem;
-  problem.b = constant_part(factors, loads);
-  problem.factors = std::move(factors);
+  LcpProblem problem{.b = constant_part(factors, loads), .factors = std::move(factors)};
   multiply_out(problem.factors, problem.A);
   return problem;
 }

@@ -12,8 +12,7 @@ namespace {
 
 // Stacks of one to four cubes, pushed about at random by up to a tenth of their weight.
 LcpProblem random_stack(Random& random) {
-  LcpProblem problem;
-  problem.factors = stack_on_corners(1 + static_cast<int>(random.below(4)));
+  LcpProblem problem{.factors = stack_on_corners(1 + static_cast<int>(random.below(4)))};
   std::vector<Load> loads(problem.factors.bodies.size());
   for (Load& load : loads) {
     load.linear_w = random.in_cube(0.1 * kGravity) - Vec3(0.0, kGravity, 0.0);
@@ -91,9 +90,7 @@ struct Corners {
       speed[i] += dt * acceleration[i];
     }
   }
-  [[nodiscard]] double depth() const {
-    return std::max(0.0, -*std::min_element(gap.begin(), gap.end()));
-  }
+  [[nodiscard]] double depth() const { return std::max(0.0, -*std::ranges::min_element(gap)); }
 };
 
 // Cubes on corners whose loads move about slowly. Forces are worked out anew at every step, and nothing
@@ -126,12 +123,12 @@ class Rest {
       unsolved += 1.0;
       baraff_.solve(problem_, result_);
     }
-    const double sinking = -*std::min_element(result_.a.begin(), result_.a.end());
+    const double sinking = -*std::ranges::min_element(result_.a);
     if (sinking > tolerance::sinking) wrong += 1.0;
     fastest_sinking = std::max(fastest_sinking, sinking);
     if (result_.status != LcpStatus::solved)
       throw std::runtime_error("a stack at rest: " + std::string(name_of(result_.status)));
-    least_force = std::min(least_force, *std::min_element(result_.f.begin(), result_.f.end()));
+    least_force = std::min(least_force, *std::ranges::min_element(result_.f));
     left.move(result_.a, dt);
     if (ended) {
       for (double& f : result_.f) f = std::max(f, 0.0);

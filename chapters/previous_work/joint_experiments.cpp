@@ -35,10 +35,7 @@ int moved_bricks(const PlayedScene& crane) {
 // Period of a link on a hinge over that of a physical pendulum with this amplitude.
 double period_ratio() {
   constexpr double amplitude = 0.02;  // [rad]
-  Parameters p = scene_recipe("pendulum").parameters();
-  p.set("count", "1");
-  p.set("angle", shortest_text(amplitude));
-  Simulation link(scene_recipe("pendulum").build(p, Random(1)), "glued");
+  Simulation link(make_scene("pendulum", {"count=1", setting("angle", amplitude)}), "glued");
   const SceneBox& box = link.scene().boxes[1];
   constexpr double dt = 1.0 / 240.0;
   std::vector<double> turns;  // when the spin changes its sign
@@ -59,8 +56,7 @@ double period_ratio() {
 
 // The largest change of a double pendulum's energy in two seconds, over m g L of a link.
 double energy_change(int rate) {
-  Simulation two(scene_recipe("pendulum").build(scene_recipe("pendulum").parameters(), Random(1)),
-                 "glued");
+  Simulation two(make_scene("pendulum"), "glued");
   const double start = energy_of(two.world()).total();
   double most = 0.0;
   for (int k = 0; k < 2 * rate; ++k) {
@@ -72,8 +68,7 @@ double energy_change(int rate) {
 }
 
 Result measure_crane(const Parameters& settings) {
-  PlayedScene crane(scene_recipe("crane").build(scene_recipe("crane").parameters(), Random(1)),
-                    kCollide);
+  PlayedScene crane(make_scene("crane"), kCollide);
   Table table{"",
               {{"time_s", "s", "time"},
                {"speed_m_s", "m/s", "speed of the wrecking box"},
@@ -96,8 +91,7 @@ Result measure_crane(const Parameters& settings) {
     all.insert(all.end(), pictures.back().begin(), pictures.back().end());
   }
   const Camera camera = camera_for(all, Vec3(1.0, 0.35, 0.45), 300.0, 260.0, true);
-  Result result;
-  result.tables = {table, shown};
+  Result result{.tables = {table, shown}};
   for (std::size_t k = 0; k < pictures.size(); ++k)
     result.drawings.push_back(
         {"frame" + std::to_string(k + 1), to_gnuplot(draw_boxes(pictures[k], camera, true, all))});

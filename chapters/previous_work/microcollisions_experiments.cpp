@@ -63,8 +63,7 @@ Result measure_stack_microcollisions(const Parameters& settings) {
     table.add(count, sum_without(rates[count], -1) / runs, 0.25 * count * count * two);
   }
   const std::vector<double> beside = rates_of(4, true, seeds, settings);
-  Result result;
-  result.tables = {table};
+  Result result{.tables = {table}};
   result.quantities = {
       ratio_of_sums("impacts per second with four cubes on one another over those with one cube, "
                     "under microcollisions",

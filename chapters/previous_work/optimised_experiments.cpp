@@ -84,7 +84,7 @@ Ran run_at(const Scene& scene, double dt, double duration, bool compare) {
 
 // Points at which a body of a heap touches others, mean over the steps.
 double points_of_heap(int seed, const char* technique, int per_edge, double duration) {
-  PlayedScene played(scene_with("clump", {"per_edge=" + std::to_string(per_edge)},
+  PlayedScene played(make_scene("clump", {"per_edge=" + std::to_string(per_edge)},
                                 static_cast<std::uint64_t>(seed)),
                      {technique});
   double points = 0.0, steps = 0.0;
@@ -104,8 +104,8 @@ double points_of_heap(int seed, const char* technique, int per_edge, double dura
 Result measure_steps(const Parameters& settings) {
   const double duration = settings.number("duration");
   const std::array<Scene, 2> scenes{
-      scene_with("fig6_6", {"appears=0.5", "rows=" + std::to_string(settings.count("rows"))}),
-      scene_with("fig6_7", {"per_edge=" + std::to_string(settings.count("per_edge"))})};
+      make_scene("fig6_6", {"appears=0.5", "rows=" + std::to_string(settings.count("rows"))}),
+      make_scene("fig6_7", {"per_edge=" + std::to_string(settings.count("per_edge"))})};
   Table table{"",
               {{"figure", "-", "1: figure 6.6, 2: figure 6.7"},
                {"dt_s", "s", "step"},

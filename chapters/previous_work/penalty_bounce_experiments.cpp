@@ -19,7 +19,7 @@ class DroppedCube {
     world_.add_ground();
     BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
     cube.restitution = restitution;
-    world_.add(cube, make_state(cube, Vec3(0.0, 0.5 + height, 0.0)));
+    world_.add(cube, Vec3(0.0, 0.5 + height, 0.0));
   }
   void step() { finished(technique_.step(world_, kSubstep)); }
   [[nodiscard]] bool touches() const { return !technique_.contacts().empty(); }
@@ -79,7 +79,7 @@ Table bounce_table() {
 // How long a stack of ten, which only touches at the start, still has a box faster than a centimetre a second.
 // Returns [s]
 double swings(double duration) {
-  PlayedScene run(scene_with("stack", {"count=10"}), PlayedTechnique{"penalty"});
+  PlayedScene run(make_scene("stack", {"count=10"}), PlayedTechnique{"penalty"});
   double last = 0.0;
   run.advance(duration, [&](const StepReport&) {
     for (std::size_t k = 0; k < run.world().states().size(); ++k)
@@ -94,11 +94,9 @@ constexpr double kEdge = 0.2;  // [m] of the cube that is shot
 // Whether a cube that is shot down at a plate comes out below.
 bool passes(double thickness, double speed) {
   World world;
-  const BodyProperties plate = fixed_box_properties(Vec3(2.0, thickness, 2.0));
-  world.add(plate, make_state(plate, Vec3(0.0, -0.5 * thickness, 0.0)));
-  const BodyProperties cube = box_properties(Vec3::Constant(kEdge), 1.0);
-  world.add(cube, make_state(cube, Vec3(0.0, 0.5 * kEdge + 0.01, 0.0), Quat::Identity(),
-                             Vec3(0.0, -speed, 0.0)));
+  world.add(fixed_box_properties(Vec3(2.0, thickness, 2.0)), Vec3(0.0, -0.5 * thickness, 0.0));
+  world.add(box_properties(Vec3::Constant(kEdge), 1.0), Vec3(0.0, 0.5 * kEdge + 0.01, 0.0),
+            Quat::Identity(), Vec3(0.0, -speed, 0.0));
   Penalty technique;
   for (int k = 0; k < 120; ++k) {
     finished(technique.step(world, kStep));

@@ -24,7 +24,7 @@ enum class Outcome : std::uint8_t { right, sinks, restless, gains };
 World world_of(std::size_t scene) {
   const std::array<std::vector<std::string>, kScenes> settings = {
       {{"count=1"}, {"count=10"}, {"count=2", "top_mass=100"}}};
-  return build_world(scene_with("stack", settings[scene]));
+  return build_world(make_scene("stack", settings[scene]));
 }
 
 // Energy that a run may gain.

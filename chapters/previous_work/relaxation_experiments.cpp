@@ -28,7 +28,7 @@ constexpr int kFallSteps = 60;
 
 // A cube of 1 kg that falls flat on the ground, from its own height above it.
 Fall box_falls(int passes) {
-  PlayedScene run(scene_with("bouncing_box", {"height=1", "restitution=0"}),
+  PlayedScene run(make_scene("bouncing_box", {"height=1", "restitution=0"}),
                   PlayedTechnique{"relaxation", {"passes=" + std::to_string(passes)}});
   Fall fall;
   for (int k = 0; k < kFallSteps; ++k) {
@@ -81,7 +81,7 @@ struct Meeting {
 };
 
 Meeting boxes_meet() {
-  PlayedScene run(scene_with("two_boxes", {}), PlayedTechnique{"relaxation"});
+  PlayedScene run(make_scene("two_boxes"), PlayedTechnique{"relaxation"});
   const Vec3 before_w = linear_momentum(run.world());
   const double energy = energy_of(run.world()).total();
   run.advance(1.0);
@@ -92,8 +92,7 @@ Meeting boxes_meet() {
 // A cube that spins in free space.
 // Returns [-] what it has of its angular momentum after a second
 double spin_left(int passes) {
-  Scene scene;
-  scene.gravity_w = Vec3::Zero();
+  Scene scene{.gravity_w = Vec3::Zero()};
   scene.boxes.emplace_back();
   scene.boxes[0].angular_velocity_w = Vec3(1.0, 4.0, 2.0);
   PlayedScene run(scene, PlayedTechnique{"relaxation", {"passes=" + std::to_string(passes)}});

@@ -160,14 +160,12 @@ Result measure_sampling(const Parameters& settings) {
       apart = std::min(apart, (rows[k].last_w - rows[j].last_w).norm());
   }
 
-  Camera camera;
-  camera.eye_w = Vec3(0.35, 1.5, 1.1);
-  camera.target_w = Vec3(0.0, 0.16, -0.7);
-  camera.field_of_view = 0.72;
-  camera.width = 200.0;
-  camera.height = 150.0;
-  Result result;
-  result.tables = {table};
+  Camera camera{.eye_w = Vec3(0.35, 1.5, 1.1),
+                .target_w = Vec3(0.0, 0.16, -0.7),
+                .field_of_view = 0.72,
+                .width = 200.0,
+                .height = 150.0};
+  Result result{.tables = {table}};
   for (std::size_t k = 0; k < rows.size(); ++k)
     for (std::size_t j = 0; j < rows[k].frames.size(); ++j)
       result.drawings.push_back({"motion" + std::to_string(k + 1) + "_" + std::to_string(j + 1),

@@ -12,7 +12,7 @@ constexpr double kStill = 1e-4;  // [-] of an edge: moves less than this in a st
 constexpr double kDeep = 1e-3;   // [-] of an edge: overlap of what does not count as rest
 
 Scene small_clump(int seed) {
-  return scene_with("clump", {"per_edge=2"}, static_cast<std::uint64_t>(seed));
+  return make_scene("clump", {"per_edge=2"}, static_cast<std::uint64_t>(seed));
 }
 
 double farthest_move(std::span<const BodyState> from, std::span<const BodyState> to) {
@@ -112,14 +112,13 @@ Result measure_settling(const Parameters& settings) {
              {"parabola", "m", "of free flight"}}};
   const double height = thrown(arc);
   const double share = static_cast<double>(restless) / seeds;
-  Result result;
-  result.tables = {table, arc};
+  Result result{.tables = {table, arc}};
   result.add(
       "the larger of two shares: clumps that do not come to rest, and the height that a thrown box "
       "reaches over that of its parabola",
       "-", std::max(share, height));
   result.add("clumps that do not come to rest", "-", restless);
-  result.add("steps to rest, the most", "-", *std::max_element(steps.begin(), steps.end()));
+  result.add("steps to rest, the most", "-", *std::ranges::max_element(steps));
   result.add("what contact forces of clumps at rest miss of the weight, at most", "-", imbalance);
   result.add("energy at rest over that under contact_damped, mean", "-", lower);
   return result;

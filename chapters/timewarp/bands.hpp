@@ -96,7 +96,7 @@ inline std::vector<Outline> overlaps_of(const Way& first, const Way& second, dou
   std::vector<double> times;
   for (const Way* way : {&first, &second})
     for (const Knot& knot : *way) times.push_back(knot.time);
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
   for (std::size_t k = times.size(); k-- > 1;) {
     const double from = times[k - 1];
     const double to = times[k];
@@ -106,7 +106,7 @@ inline std::vector<Outline> overlaps_of(const Way& first, const Way& second, dou
       if (before * after < 0.0) times.push_back(from + (to - from) * before / (before - after));
     }
   }
-  std::sort(times.begin(), times.end());
+  std::ranges::sort(times);
 
   std::vector<Outline> areas;
   std::vector<Span> spans;

@@ -70,13 +70,11 @@ inline Parameters cage_settings() {
 
 // A stretch with the settings of a figure.
 inline CageStretch stretch_of(const Parameters& settings, int count) {
-  CageStretch stretch;
-  stretch.count = count;
-  stretch.speed = settings.number("speed");
-  stretch.spin = settings.number("spin");
-  stretch.lead = settings.count("lead");
-  stretch.settle = kLongFlight;
-  return stretch;
+  return CageStretch{.count = count,
+                     .speed = settings.number("speed"),
+                     .spin = settings.number("spin"),
+                     .lead = settings.count("lead"),
+                     .settle = kLongFlight};
 }
 
 // Runs frames and returns what was done in them.
@@ -101,7 +99,7 @@ inline const World& led_cage(const CageStretch& stretch, int seed) {
       {stretch.count, stretch.speed, stretch.spin, stretch.lead, stretch.dt, seed});
   World& world = cage->second;
   if (fresh) {
-    world = build_world(scene_with("cage",
+    world = build_world(make_scene("cage",
                                    {"count=" + std::to_string(stretch.count),
                                     setting("speed", stretch.speed), setting("spin", stretch.spin)},
                                    static_cast<std::uint64_t>(seed)));

@@ -31,7 +31,7 @@ inline void stir(World& cage) {
 // room: [m] edge of the space that each cube has, at least 1.8
 inline World stirred_cage(int count, double room, std::uint64_t seed) {
   World cage = build_world(
-      scene_with("cage", {"count=" + std::to_string(count), setting("room", room)}, seed));
+      make_scene("cage", {"count=" + std::to_string(count), setting("room", room)}, seed));
   stir(cage);
   stir(cage);
   return cage;
@@ -74,8 +74,8 @@ inline World world_of(const Chain& chain) {
   world.gravity_w = Vec3::Zero();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, 1.0);
   for (std::size_t k = 0; k < chain.centres.size(); ++k)
-    world.add(cube, make_state(cube, Vec3(chain.centres[k], 0.0, 0.0), Quat::Identity(),
-                               Vec3(chain.velocities[k], 0.0, 0.0)));
+    world.add(cube, Vec3(chain.centres[k], 0.0, 0.0), Quat::Identity(),
+              Vec3(chain.velocities[k], 0.0, 0.0));
   return world;
 }
 
@@ -100,8 +100,8 @@ inline std::vector<Collision> exact_story(const Chain& chain, double duration) {
       if (closing > 0.0 && gap < closing * duration) crossings.push_back({gap / closing, i, j});
     }
   }
-  std::sort(crossings.begin(), crossings.end(),
-            [](const Crossing& a, const Crossing& b) { return a.time < b.time; });
+  std::ranges::sort(crossings,
+                    [](const Crossing& a, const Crossing& b) { return a.time < b.time; });
 
   std::vector<int> place(count);  // by line: which cube goes along it
   std::iota(place.begin(), place.end(), 0);

@@ -35,7 +35,7 @@ struct PrintedRun : FrameRun {
 // restitution: [-] as text
 [[nodiscard]] inline World line_world(const std::string& boxes,
                                       const std::string& restitution = "1") {
-  return build_world(scene_with("line", {"boxes=" + boxes, "restitution=" + restitution}));
+  return build_world(make_scene("line", {"boxes=" + boxes, "restitution=" + restitution}));
 }
 
 // A cube of 1 m and 1 kg above a ground.
@@ -44,8 +44,7 @@ struct PrintedRun : FrameRun {
 [[nodiscard]] inline World world_with_falling_cube(double height, double restitution) {
   World world;
   world.add_ground(0.0, restitution);
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, restitution);
-  world.add(cube, make_state(cube, Vec3(0.0, 0.5 + height, 0.0)));
+  world.add(box_properties(Vec3::Ones(), 1.0, 0.0, restitution), Vec3(0.0, 0.5 + height, 0.0));
   return world;
 }
 
@@ -73,8 +72,7 @@ class WayWatcher : public Observer {
 // Runs one frame.
 // dt: [s] the frame
 [[nodiscard]] inline FrameRun run_frame(Technique& technique, const World& world, double dt) {
-  FrameRun run;
-  run.world = world;
+  FrameRun run{.world = world};
   WayWatcher watcher(run.world, run);
   technique.observe(&watcher);
   // Some listings do not end as printed. The cap that ends them then is their fault, and passes() is what it costs.
@@ -120,10 +118,10 @@ class ErrataBench {
 
   // The listing as meant: all misprints are mended, the choices T5, T9 and F8 are kept.
   [[nodiscard]] TimewarpAsPrintedOptions as_meant_but(std::string_view left = "") const {
-    TimewarpAsPrintedOptions options;
-    options.listing = listing_;
-    options.cap = cap_;
-    options.repaired = TimewarpErrata::all().without("T5").without("T9").without("F8");
+    TimewarpAsPrintedOptions options{
+        .listing = listing_,
+        .repaired = TimewarpErrata::all().without("T5").without("T9").without("F8"),
+        .cap = cap_};
     while (!left.empty()) {
       const std::string_view id = left.substr(0, left.find(','));
       options.repaired = options.repaired.without(id);

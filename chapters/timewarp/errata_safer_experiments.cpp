@@ -74,7 +74,7 @@ class FirstLook : public TimewarpWatcher {
 
 // F8 and F9: the five cubes of figure 5.1.
 void add_figure_errata(ErrataBench& bench) {
-  const World world = build_world(scene_with("fig5_1", {}));
+  const World world = build_world(make_scene("fig5_1"));
   TimewarpSafer safer;
   FirstLook look;
   safer.watch(&look);
@@ -84,9 +84,8 @@ void add_figure_errata(ErrataBench& bench) {
 
   const BodyId b = world.ids()[B];
   const auto hits = [&](const FrameRun& run) {
-    return static_cast<double>(
-        std::count_if(run.events.begin(), run.events.end(),
-                      [&](const Event& e) { return e.first == b || e.second == b; }));
+    return static_cast<double>(std::ranges::count_if(
+        run.events, [&](const Event& e) { return e.first == b || e.second == b; }));
   };
   bench.add(8, "F8: collisions of cube B in figure 5.1", "-",
             {"neighbours looked at", hits(neighbours)}, {"ways searched", hits(ways)});
@@ -95,9 +94,8 @@ void add_figure_errata(ErrataBench& bench) {
   const auto foreseen = [&](Cube other) {
     const IndexPair pair{static_cast<int>(std::min<std::size_t>(other, D)),
                          static_cast<int>(std::max<std::size_t>(other, D))};
-    return static_cast<double>(
-        std::count_if(look.foreseen.begin(), look.foreseen.end(),
-                      [&](const ForeseenCollision& c) { return c.pair == pair; }));
+    return static_cast<double>(std::ranges::count_if(
+        look.foreseen, [&](const ForeseenCollision& c) { return c.pair == pair; }));
   };
   bench.add(9, "F9: collisions foreseen for cube D in figure 5.1", "-",
             {"with C, as the caption says", foreseen(C)}, {"with E", foreseen(E)});

@@ -136,8 +136,8 @@ Result measure_order_of_five(const Parameters& settings) {
        largest_difference(stories[2].collisions, reference)}};
   for (std::size_t k = 0; k < names.size(); ++k) {
     const std::vector<char>& wrong = differences[k].wrong;
-    quantities.push_back({std::string("collisions out of place, ") + names[k], "-",
-                          std::count(wrong.begin(), wrong.end(), 1)});
+    quantities.push_back(
+        {std::string("collisions out of place, ") + names[k], "-", std::ranges::count(wrong, 1)});
     quantities.push_back({std::string("time for which pairs of cubes overlap, ") + names[k], "s",
                           time_of_overlap(stories[k])});
   }

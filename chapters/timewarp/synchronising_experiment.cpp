@@ -109,8 +109,7 @@ Quantity waited_over_free(const Parameters& settings) {
   constexpr int kFresh = 100;  // seeds after this one
   constexpr double kFaster = 4.0;
   const int seeds = settings.count("seeds");
-  Costs costs;
-  costs.stretch = counted_flights(settings, kCubes, kFaster);
+  Costs costs{.stretch = counted_flights(settings, kCubes, kFaster)};
   costs.stretch.frames = kLongFlight;
   for (int seed = kFresh + 1; seed <= kFresh + seeds; ++seed) {
     CageStretch lead = costs.stretch;

@@ -68,8 +68,7 @@ inline BodyState comer(const BodyProperties& cube, const BodyState& resting, dou
 // of a cube is exact in both directions, and the one that is hit rests.
 inline TwoImpacts two_impacts(const TwoImpactsOptions& options, Random chance) {
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, 1.0);
-  TwoImpacts out;
-  out.left_first = chance.unit() < 0.5;
+  TwoImpacts out{.left_first = chance.unit() < 0.5};
   const double first = options.frame * chance.uniform(0.2, 0.8);
   const double second = first + options.delay;
   const BodyState resting =

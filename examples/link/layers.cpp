@@ -14,8 +14,7 @@ int main() {
   const BodyProperties cube = box_properties(Vec3(1.0, 1.0, 1.0), 1.0);
   World world;
   world.add_ground();
-  for (const double height : {0.6, 1.8, 3.0})
-    world.add(cube, make_state(cube, Vec3(0.1 * height, height, 0.0)));
+  for (const double height : {0.6, 1.8, 3.0}) world.add(cube, Vec3(0.1 * height, height, 0.0));
 
   // So few bodies need no broad phase: every pair is a candidate.
   std::vector<IndexPair> candidates;

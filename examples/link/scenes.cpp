@@ -89,12 +89,7 @@ std::string record(const Scene& scene) {
 
 // [builtin]
 // A built-in scene with a setting changed, as with --set count=5.
-Scene stack_of_five() {
-  const SceneRecipe& recipe = scene_recipe("stack");
-  Parameters settings = recipe.parameters();
-  settings.set("count", "5");
-  return recipe.build(settings, Random(1));
-}
+Scene stack_of_five() { return make_scene("stack", {"count=5"}); }
 // [builtin]
 
 }  // namespace

@@ -31,16 +31,11 @@ inline constexpr std::string_view kDefaultTechnique = "contact_damped";
 const std::vector<TechniqueRecipe>& technique_library();
 
 /// The recipe of a technique.
-/// \param name its name
-/// \return the recipe
 /// \throws std::invalid_argument listing the names if there is none of this name
 const TechniqueRecipe& technique_recipe(std::string_view name);
 
 /// A technique with some of its options changed.
-/// \param name      its name
 /// \param settings  each as key=value
-/// \param seed      random seed
-/// \return the technique
 /// \throws std::invalid_argument for a name, a key or a value that does not exist
 std::unique_ptr<Technique> make_technique(std::string_view name,
                                           const std::vector<std::string>& settings = {},

@@ -1,13 +1,8 @@
 /// \file
 /// \brief Scenes from outside that the analytic technique did not finish or did wrong.
-#include "tumble/base/random.hpp"
-#include "tumble/math/rotation.hpp"
 #include "tumble/record/run_checks.hpp"
-#include "tumble/scenes/simulation.hpp"
 
-#include "support/catch.hpp"
-
-#include <cmath>
+#include "support/test.hpp"
 
 namespace {
 
@@ -15,8 +10,7 @@ using namespace tumble;
 
 // A cube at rest on a slope of tan(angle) = 1/2 with friction 0.49: it slides at (g/√5)(1 - 2·0.49/2) = 0.02 g/√5.
 Scene slope(double friction) {
-  Scene scene;
-  scene.gravity_w = Vec3(0.0, -9.8, 0.0);
+  Scene scene{.gravity_w = Vec3(0.0, -9.8, 0.0)};
   const double angle = std::atan(0.5);
   const Quat turn = rotation_from_vector(Vec3(0.0, 0.0, -angle));
   SceneBox plane{.name = "slope",
@@ -24,11 +18,10 @@ Scene slope(double friction) {
                  .fixed = true,
                  .orientation_wb = turn,
                  .friction = friction};
-  SceneBox cube;
-  cube.name = "cube";
-  cube.orientation_wb = turn;
-  cube.position_w = turn * Vec3(-50.0, 0.75, 0.0);
-  cube.friction = friction;
+  SceneBox cube{.name = "cube",
+                .position_w = turn * Vec3(-50.0, 0.75, 0.0),
+                .orientation_wb = turn,
+                .friction = friction};
   scene.boxes = {plane, cube};
   return scene;
 }
@@ -48,11 +41,8 @@ SceneBox tile(const Vec3& position_w) {
 
 // A cube on tiles that begins to slide at 3.5 m/s along the first axis.
 Scene slider_on(std::vector<SceneBox> tiles, double turned) {
-  Scene scene;
-  scene.gravity_w = Vec3(0.0, -9.81, 0.0);
-  scene.boxes = std::move(tiles);
-  SceneBox slider;
-  slider.name = "slider";
+  Scene scene{.gravity_w = Vec3(0.0, -9.81, 0.0), .boxes = std::move(tiles)};
+  SceneBox slider{.name = "slider"};
   slider.size.setConstant(0.3);
   slider.position_w = Vec3(0.0, 0.65, 0.05);
   slider.velocity_w = Vec3(3.5, 0.0, 0.0);
@@ -146,13 +136,11 @@ TEST_CASE("A slow slide is as long as the closed form says, up to the way of hal
 
 TEST_CASE("The rest of a step after many flights is one step of velocities, counted",
           "[unit][analytic_lcp]") {
-  Scene scene;
-  scene.ground = SceneGround{0.5, 0.5};
+  Scene scene{.ground = SceneGround{0.5, 0.5}};
   for (int k = 0; k < 5; ++k) {
-    SceneBox box;
-    box.name = "box" + std::to_string(k);
-    box.position_w = Vec3(0.2 * k, 0.7 + 1.2 * k, 0.1 * k);
-    box.restitution = 0.5;
+    SceneBox box{.name = "box" + std::to_string(k),
+                 .position_w = Vec3(0.2 * k, 0.7 + 1.2 * k, 0.1 * k),
+                 .restitution = 0.5};
     scene.boxes.push_back(box);
   }
   Simulation simulation(scene, "analytic", {"event_cap=2"});
@@ -208,8 +196,7 @@ namespace {
 
 // A fixed plate of 2 cm, and a toy brick that falls on it at 44 m/s.
 Scene brick_over_plate() {
-  Scene scene;
-  scene.gravity_w = Vec3(0.0, -9.81, 0.0);
+  Scene scene{.gravity_w = Vec3(0.0, -9.81, 0.0)};
   SceneBox plate{.size = Vec3(1.0, 0.02, 1.0),
                  .fixed = true,
                  .position_w = Vec3(0.0, -0.01, 0.0),
@@ -245,14 +232,11 @@ TEST_CASE("The end of a rod that turns does not pass a thin peg beside its middl
           "[unit][analytic_lcp]") {
   Scene scene;
   scene.gravity_w.setZero();
-  SceneBox peg;
-  peg.name = "peg";
-  peg.size = Vec3(0.05, 2.0, 0.05);
-  peg.position_w = Vec3(0.9, 0.0, -0.3);
-  peg.fixed = true;
-  SceneBox rod;
-  rod.name = "rod";
-  rod.size = Vec3(2.0, 0.05, 0.05);
+  SceneBox peg{.name = "peg",
+               .size = Vec3(0.05, 2.0, 0.05),
+               .fixed = true,
+               .position_w = Vec3(0.9, 0.0, -0.3)};
+  SceneBox rod{.name = "rod", .size = Vec3(2.0, 0.05, 0.05)};
   rod.angular_velocity_w = Vec3(0.0, 25.0, 0.0);  // 0.4 rad a step: eight times the peg
   scene.boxes = {peg, rod};
   Simulation simulation(scene, "analytic");

@@ -2,13 +2,9 @@
 /// \brief The problem of contact with friction: its matrix, small answers, and the pyramid's edges.
 #include "tumble/analytic_lcp/friction_pyramid.hpp"
 
-#include "tumble/base/index.hpp"
-#include "tumble/base/random.hpp"
-#include "tumble/contact/effective_mass.hpp"
 #include "tumble/lcp_solvers/lemke.hpp"
-#include "tumble/math/rotation.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "support/touching.hpp"
 
 namespace {
@@ -52,9 +48,8 @@ Solved slide(const Vec3& velocity_w, double friction, int directions) {
 }
 
 MovingBody random_body(Random& random) {
-  MovingBody body;
-  body.position_w = random.in_cube(1.0);
-  body.inverse_mass = Vec3::Constant(random.uniform(0.2, 5.0));
+  MovingBody body{.position_w = random.in_cube(1.0),
+                  .inverse_mass = Vec3::Constant(random.uniform(0.2, 5.0))};
   Mat3 root;
   for (int k = 0; k < 9; ++k) root(k / 3, k % 3) = random.uniform(-1.0, 1.0);
   body.inverse_inertia_w = root * root.transpose();
@@ -77,8 +72,7 @@ Heap random_heap(Random& random, int count, bool with_sliding) {
     const Vec3 place_w = random.in_cube(1.0);
     const Vec3 n = random.direction();
     heap.contacts.push_back(contact_at(first, second, place_w, n, random.uniform(0.1, 1.0)));
-    FrictionPoint point;
-    point.contact = k;
+    FrictionPoint point{.contact = k};
     if (with_sliding && k % 2 == 0) point.sliding_w = n.cross(random.direction()).normalized();
     heap.points.push_back(point);
   }
@@ -266,7 +260,7 @@ TEST_CASE("The problem with friction refuses what makes no sense",
   points[0].sliding_w = Vec3(2, 0, 0);
   CHECK_THROWS_WITH(assemble(4), Contains("sliding_w"));
   points[0] = {};
-  points[0].normal_constant = std::numeric_limits<double>::quiet_NaN();
+  points[0].normal_constant = kNan;
   CHECK_THROWS_WITH(assemble(4), Contains("normal_constant"));
   points[0] = {};
   contacts[0].second = 2;

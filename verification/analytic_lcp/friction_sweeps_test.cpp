@@ -2,10 +2,7 @@
 /// \brief Contact with friction by sweeps over the points: closed forms, and that it always ends.
 #include "tumble/analytic_lcp/friction_sweeps.hpp"
 
-#include "tumble/contact/effective_mass.hpp"
-#include "tumble/math/rotation.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -20,24 +17,17 @@ struct Slider {
   std::vector<Vec3> pushes;
 
   Slider(const Vec3& velocity_w, double friction) {
-    world.add(fixed_box_properties(Vec3(10.0, 1.0, 10.0)),
-              make_state(fixed_box_properties(Vec3(10.0, 1.0, 10.0)), Vec3(0.0, -0.5, 0.0)));
-    const BodyProperties cube = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, friction);
-    world.add(cube, make_state(cube, Vec3(0.0, 0.1, 0.0)));
+    world.add(fixed_box_properties(Vec3(10.0, 1.0, 10.0)), Vec3(0.0, -0.5, 0.0));
+    world.add(box_properties(Vec3(1.0, 0.2, 1.0), 1.0, friction), Vec3(0.0, 0.1, 0.0));
     load_moving_bodies(world, bodies);
     bodies[1].velocity_w = velocity_w;
-    Contact contact;
-    contact.second = 1;
-    contact.friction = friction;
+    Contact contact{.second = 1, .friction = friction};
     for (const double x : {-0.5, 0.5})
       for (const double z : {-0.5, 0.5})
         contact.points[static_cast<std::size_t>(contact.count++)].position_w = Vec3(x, 0.0, z);
     contacts.push_back(contact);
     for (int k = 0; k < 4; ++k) {
-      FrictionPoint point;
-      point.point = k;
-      point.normal_constant = velocity_w.y();
-      points.push_back(point);
+      points.push_back(FrictionPoint{.point = k, .normal_constant = velocity_w.y()});
     }
     pushes.assign(4, Vec3::Zero());
   }
@@ -81,11 +71,7 @@ TEST_CASE("Sweeps end where there is no answer, with numbers",
   from_above.normal_w = -Vec3::UnitY();
   squeezed.contacts.push_back(from_above);
   for (int k = 0; k < 4; ++k) {
-    FrictionPoint point;
-    point.contact = 1;
-    point.point = k;
-    point.normal_constant = -1.0;
-    squeezed.points.push_back(point);
+    squeezed.points.push_back(FrictionPoint{.contact = 1, .point = k, .normal_constant = -1.0});
     squeezed.pushes.push_back(Vec3::Zero());
   }
   const FrictionSweepReport report = squeezed.solve(1e-9);

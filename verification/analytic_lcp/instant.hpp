@@ -3,12 +3,10 @@
 #pragma once
 
 #include "tumble/analytic_lcp/assembly.hpp"
-#include "tumble/base/index.hpp"
-#include "tumble/contact/gather.hpp"
 #include "tumble/math/complementarity.hpp"
 
 #include "geometry/boxes.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "support/touching.hpp"
 
 namespace tumble::test {
@@ -16,21 +14,19 @@ namespace tumble::test {
 inline constexpr double kG = 9.81;       // [m/s²]
 inline constexpr double kMargin = 1e-9;  // [m] of contacts between bodies that touch exactly
 // [m/s] Every point gets a row.
-inline constexpr double kAll = std::numeric_limits<double>::infinity();
+inline constexpr double kAll = kInfinity;
 
 // Adds a movable box.
 inline BodyId add_box(World& world, const Vec3& size, double mass, const Vec3& position_w,
                       const Quat& orientation_wb = Quat::Identity(),
                       const Vec3& velocity_w = Vec3::Zero(), const Vec3& omega_w = Vec3::Zero()) {
-  const BodyProperties body = box_properties(size, mass);
-  return world.add(body, make_state(body, position_w, orientation_wb, velocity_w, omega_w));
+  return world.add(box_properties(size, mass), position_w, orientation_wb, velocity_w, omega_w);
 }
 
 // Adds an immovable box.
 inline BodyId add_fixed(World& world, const Vec3& size, const Vec3& position_w,
                         const Quat& orientation_wb = Quat::Identity()) {
-  const BodyProperties body = fixed_box_properties(size);
-  return world.add(body, make_state(body, position_w, orientation_wb));
+  return world.add(fixed_box_properties(size), position_w, orientation_wb);
 }
 
 // A world at an instant: from its contacts to the accelerations under the forces of a solver.

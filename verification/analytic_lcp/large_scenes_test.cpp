@@ -1,12 +1,9 @@
 /// \file
 /// \brief Scenes from outside with too many contacts with friction for one dense problem.
-#include "tumble/math/rotation.hpp"
 #include "tumble/record/run_checks.hpp"
-#include "tumble/scenes/scene_file.hpp"
-#include "tumble/scenes/simulation.hpp"
 
-#include "support/catch.hpp"
 #include "support/shared_data.hpp"
+#include "support/test.hpp"
 
 #include <ctime>
 
@@ -20,8 +17,7 @@ double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_P
 
 // Layers of three blocks, crosswise; one in the middle is pulled.
 Scene tower_of_blocks(int layers, int pulled) {
-  Scene scene;
-  scene.ground = SceneGround{0.4, 0.0};
+  Scene scene{.ground = SceneGround{0.4, 0.0}};
   for (int layer = 0; layer < layers; ++layer)
     for (int k = -1; k <= 1; ++k) {
       SceneBox block;
@@ -56,18 +52,16 @@ void add_tent(const std::string& name, double x, double floor, Scene& scene) {
 
 // Two storeys of tents side by side, with flat cards between them; all fall a little first.
 Scene card_house(int tents, double drop) {
-  Scene scene;
-  scene.ground = SceneGround{0.6, 0.0};
+  Scene scene{.ground = SceneGround{0.6, 0.0}};
   const double pitch = 2.24;
   for (int k = 0; k < tents; ++k)
     add_tent("a" + std::to_string(k), pitch * (k - 0.5 * (tents - 1)), drop, scene);
   const double top = 2.0 * scene.boxes.front().position_w.y();
   for (int k = 0; k < tents - 1; ++k) {
-    SceneBox flat;
-    flat.name = "flat" + std::to_string(k);
-    flat.size = Vec3(tents == 2 ? 2.6 : 2.2, 0.02, 1.25);
-    flat.mass = 0.3;
-    flat.friction = 0.6;
+    SceneBox flat{.name = "flat" + std::to_string(k),
+                  .size = Vec3(tents == 2 ? 2.6 : 2.2, 0.02, 1.25),
+                  .mass = 0.3,
+                  .friction = 0.6};
     const double x = pitch * (k - 0.5 * (tents - 2));
     flat.position_w = Vec3(x, top + 0.01, 0.0);
     scene.boxes.push_back(flat);
@@ -131,8 +125,7 @@ TEST_CASE("A card house of two storeys stands",
 
 TEST_CASE("The forces of a step in a corner are found with bounded work, then velocities",
           "[unit][analytic_lcp]") {
-  Scene scene;
-  scene.gravity_w = Vec3(-4.0, -10.0, -4.0);
+  Scene scene{.gravity_w = Vec3(-4.0, -10.0, -4.0)};
   const auto wall = [&](const std::string& name, const Vec3& size, const Vec3& position_w) {
     SceneBox& box = scene.boxes.emplace_back();
     box.name = name;

@@ -1,11 +1,9 @@
 /// \file
 /// \brief Time stepping on scenes from outside whose right motion is known.
-#include "tumble/scenes/scene_file.hpp"
-#include "tumble/scenes/simulation.hpp"
 
 #include "fuzz/random_world.hpp"
-#include "support/catch.hpp"
 #include "support/shared_data.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -60,8 +58,7 @@ TEST_CASE("Random worlds that Lemke's method did not finish are swept, with clos
 
 TEST_CASE("Friction between the axes is within eight per cent of Coulomb's",
           "[exact][time_stepping][analytic_lcp]") {
-  Scene scene;
-  scene.ground = SceneGround{0.3, 0.0};
+  Scene scene{.ground = SceneGround{0.3, 0.0}};
   SceneBox box{.position_w = Vec3(0.0, 0.5, 0.0), .friction = 0.3};
   for (const Vec3& way_w : {Vec3(1.0, 0.0, 1.0), Vec3(2.4, 0.0, 1.0), Vec3(1.0, 0.0, 2.4)}) {
     box.velocity_w = 3.0 * way_w.normalized();

@@ -2,32 +2,24 @@
 /// \brief Time stepping: stacks and impacts, without a search for events.
 #include "tumble/analytic_lcp/time_stepping.hpp"
 
-#include "tumble/base/index.hpp"
-#include "tumble/dynamics/energy.hpp"
-#include "tumble/techniques.hpp"
-
-#include "support/catch.hpp"
 #include "support/pose.hpp"
 #include "support/runs.hpp"
+#include "support/test.hpp"
 
 namespace {
 
 using namespace tumble;
 using namespace tumble::test;
 
-constexpr double kG = 9.81;
-constexpr double kStep = 1.0 / 60.0;
-
 BodyId add_cube(World& world, const Vec3& position_w, const Vec3& velocity_w = Vec3::Zero(),
                 double friction = 0.5, double restitution = 0.0) {
-  const BodyProperties body = box_properties(Vec3::Ones(), 1.0, friction, restitution);
-  return world.add(body, make_state(body, position_w, Quat::Identity(), velocity_w));
+  return world.add(box_properties(Vec3::Ones(), 1.0, friction, restitution), position_w,
+                   Quat::Identity(), velocity_w);
 }
 
 // Rows of cubes, each row shifted by half a cube.
 World pyramid_of(int rows, double friction = 0.5) {
-  World world;
-  world.add_ground(friction);
+  World world = ground_world(friction);
   for (int row = 0; row < rows; ++row)
     for (int k = 0; k < rows - row; ++k)
       add_cube(world, Vec3(1.05 * (k - 0.5 * (rows - row - 1)), row + 0.5, 0.0), Vec3::Zero(),
@@ -47,7 +39,7 @@ TEST_CASE("A stack of ten and a small pyramid stand", "[unit][time_stepping][ana
     double worst = 0.0;
     double booked = 0.0;
     for (int k = 0; k < 300; ++k) {
-      const StepReport report = technique.step(world, kStep);
+      const StepReport report = technique.step(world, kFrame);
       REQUIRE(report.status == StepStatus::done);
       worst = std::max(worst, fastest(world));
       booked = std::max(booked, std::abs(report.energy.total()));
@@ -65,12 +57,12 @@ TEST_CASE("Contacts at rest bear the weight above them", "[exact][time_stepping]
   BOTH_POSES;
   World world = stack_of(5);
   TimeStepping technique(posed<TimeSteppingOptions>());
-  technique.step(world, kStep);
+  technique.step(world, kFrame);
   std::array<double, 6> carried{};
   for (const ContactRecord& record : technique.contacts())
     carried[number_of(record.second)] += record.push_w.y();
   for (int level = 1; level <= 5; ++level)
-    CHECK(carried[idx(level)] == Approx((6 - level) * kG * kStep));  // [N s]
+    CHECK(carried[idx(level)] == Approx((6 - level) * kGravity * kFrame));  // [N s]
 }
 
 // --- impacts ------------------------------------------------------------------------------------
@@ -78,13 +70,12 @@ TEST_CASE("Contacts at rest bear the weight above them", "[exact][time_stepping]
 TEST_CASE("A falling box closes its gap exactly and then rests",
           "[exact][time_stepping][analytic_lcp]") {
   BOTH_POSES;
-  World world;
-  world.add_ground();
+  World world = ground_world();
   add_cube(world, Vec3(0.0, 1.5, 0.0));
   TimeStepping technique(posed<TimeSteppingOptions>());
   double lowest = 1.0;
   for (int k = 0; k < 120; ++k) {
-    technique.step(world, kStep);
+    technique.step(world, kFrame);
     lowest = std::min(lowest, world.states()[1].position_w.y() - 0.5);
   }
   CHECK(std::abs(lowest) < 1e-12);  // [m] neither a gap nor an overlap
@@ -93,15 +84,13 @@ TEST_CASE("A falling box closes its gap exactly and then rests",
 
 TEST_CASE("A bullet does not pass a thin wall", "[unit][time_stepping][analytic_lcp]") {
   BOTH_POSES;
-  World world;
-  world.gravity_w.setZero();
+  World world = weightless_world();
   const BodyProperties wall = fixed_box_properties(Vec3(0.01, 2.0, 2.0));
-  world.add(wall, make_state(wall, Vec3::Zero()));
+  world.add(wall, Vec3::Zero());
   const BodyProperties bullet = box_properties(Vec3::Constant(0.1), 1.0);
   for (const double speed : {10.0, 100.0, 1000.0}) {
     World shot = world;
-    shot.add(bullet,
-             make_state(bullet, Vec3(-5.0, 0.0, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
+    shot.add(bullet, Vec3(-5.0, 0.0, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0));
     TimeStepping technique(posed<TimeSteppingOptions>());
     CHECK(run(shot, technique, 60) == 0);
     CHECK(shot.states()[1].position_w.x() == Approx(-0.055));  // [m] at the wall
@@ -111,15 +100,14 @@ TEST_CASE("A bullet does not pass a thin wall", "[unit][time_stepping][analytic_
 TEST_CASE("In Anitescu and Potra's form a fast body sinks in before it is stopped",
           "[unit][time_stepping][analytic_lcp]") {
   BOTH_POSES;
-  World world;
-  world.add_ground();
+  World world = ground_world();
   add_cube(world, Vec3(0.0, 0.55, 0.0), Vec3(0.0, -6.0, 0.0));
   TimeSteppingOptions options;
   options.velocities.form = SteppingForm::anitescu_potra;
   TimeStepping technique(posed(options));
-  const StepReport report = technique.step(world, kStep);
+  const StepReport report = technique.step(world, kFrame);
   // h (6 + g h) - 0.05 m, and then it is moved out again.
-  CHECK(report.deepest_overlap == Approx((6.0 + kG * kStep) * kStep - 0.05));
+  CHECK(report.deepest_overlap == Approx((6.0 + kGravity * kFrame) * kFrame - 0.05));
   CHECK(report.energy.repair > 0.0);
   run(world, technique, 10);
   CHECK(fastest(world) < 1e-12);  // [m/s]
@@ -128,14 +116,13 @@ TEST_CASE("In Anitescu and Potra's form a fast body sinks in before it is stoppe
 TEST_CASE("What a step books is what the energy does", "[exact][time_stepping][analytic_lcp]") {
   BOTH_POSES;
   // Also that gravity's impulse m g h acts at v+ in the positions and at (v- + v+)/2 in the velocities.
-  World world;
-  world.add_ground();
+  World world = ground_world();
   add_cube(world, Vec3(0.0, 0.8, 0.0), Vec3(2.0, -3.0, 0.0));
   TimeStepping technique(posed<TimeSteppingOptions>());
   double worst = 0.0;
   for (int k = 0; k < 60; ++k) {
     const Energy before = energy_of(world);
-    const StepReport report = technique.step(world, kStep);
+    const StepReport report = technique.step(world, kFrame);
     worst = std::max(worst,
                      std::abs(energy_of(world).total() - before.total() - report.energy.total()));
   }
@@ -151,10 +138,8 @@ TEST_CASE("Without friction a scene, its mirror image and its bodies in another 
   const Vec3 mirror(-1.0, 1.0, 1.0);
   World world = pyramid_of(3, 0.0);
   add_cube(world, Vec3(-4.0, 1.2, 0.1), Vec3(12.0, 1.0, 0.0), 0.0);
-  World image;
-  image.add_ground(0.0);
-  World other_order;
-  other_order.add_ground(0.0);
+  World image = ground_world(0.0);
+  World other_order = ground_world(0.0);
   const std::size_t count = world.bodies().size();
   for (std::size_t k = 1; k < count; ++k) {
     BodyState state = world.states()[k];
@@ -168,9 +153,9 @@ TEST_CASE("Without friction a scene, its mirror image and its bodies in another 
   TimeStepping third(posed<TimeSteppingOptions>());
   double worst = 0.0;
   for (int k = 0; k < 15; ++k) {
-    first.step(world, kStep);
-    second.step(image, kStep);
-    third.step(other_order, kStep);
+    first.step(world, kFrame);
+    second.step(image, kFrame);
+    third.step(other_order, kFrame);
     for (std::size_t b = 1; b < count; ++b) {
       const Vec3& place = world.states()[b].position_w;
       worst = std::max({worst, (image.states()[b].position_w.cwiseProduct(mirror) - place).norm(),

@@ -2,19 +2,13 @@
 /// \brief One velocity-level step: energy, momentum, redundant points.
 #include "tumble/analytic_lcp/velocity_step.hpp"
 
-#include "tumble/base/index.hpp"
-#include "tumble/base/random.hpp"
-#include "tumble/contact/effective_mass.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "support/touching.hpp"
 
 namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-
-constexpr double kStep = 1.0 / 60.0;
 
 // A world with velocities that can be stepped, without geometry: contacts are put down by hand.
 struct Scene {
@@ -35,7 +29,7 @@ struct Scene {
     return relative_velocity(bodies[idx(contact.first)], bodies[idx(contact.second)],
                              contact.points[0].position_w);
   }
-  VelocityStepResult solve() { return step.solve(world, free, contacts, kStep, options, bodies); }
+  VelocityStepResult solve() { return step.solve(world, free, contacts, kFrame, options, bodies); }
   double kinetic() const {
     World copy = world;
     store_moving_bodies(bodies, copy);
@@ -59,7 +53,7 @@ Scene random_scene(Random& random, bool with_fixed) {
     const Quat turned = random.orientation();
     const Vec3 velocity_w = fixed ? Vec3(Vec3::Zero()) : random.in_cube(2.0);
     const Vec3 spin_w = fixed ? Vec3(Vec3::Zero()) : random.in_cube(2.0);
-    scene.world.add(body, make_state(body, place_w, turned, velocity_w, spin_w));
+    scene.world.add(body, place_w, turned, velocity_w, spin_w);
   }
   const int count = 1 + static_cast<int>(random.below(6));
   for (int k = 0; k < count; ++k) {
@@ -97,7 +91,7 @@ TEST_CASE("Without restitution and forces no step raises the kinetic energy of 1
     for (const Contact& contact : scene.contacts) {
       const ContactPoint& point = contact.points[0];
       const Vec3 u = scene.motion_at(contact);
-      worst_sinking = std::max(worst_sinking, -(contact.normal_w.dot(u) + point.distance / kStep));
+      worst_sinking = std::max(worst_sinking, -(contact.normal_w.dot(u) + point.distance / kFrame));
       worst_drag = std::max(
           worst_drag, point.friction_impulse_w.norm() - contact.friction * point.normal_impulse);
     }

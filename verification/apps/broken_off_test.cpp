@@ -1,7 +1,7 @@
 /// \file
 /// \brief Runs that end early: signals, full disks, programs that are missing.
 #include "apps/command.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 

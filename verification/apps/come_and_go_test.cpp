@@ -1,7 +1,7 @@
 /// \file
 /// \brief A run of a scene in which boxes come and go, from outside.
 #include "apps/command.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 

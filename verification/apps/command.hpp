@@ -7,7 +7,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <sys/wait.h>
 
 #ifndef TUMBLE_COMMAND
@@ -54,7 +53,7 @@ inline void check_refused(const std::vector<Refusal>& refusals) {
     CHECK(outcome.code == 2);
     CHECK(outcome.text.find(refusal.message) != std::string::npos);
     CHECK(outcome.text.find("tumble: tumble:") == std::string::npos);
-    CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
+    CHECK(std::ranges::count(outcome.text, '\n') == 1);
   }
 }
 
@@ -72,7 +71,7 @@ inline bool whole_lines(const std::filesystem::path& path) {
   std::istringstream in(text);
   std::ptrdiff_t commas = -1;
   for (std::string line; std::getline(in, line);) {
-    const auto here = std::count(line.begin(), line.end(), ',');
+    const auto here = std::ranges::count(line, ',');
     if (commas >= 0 && here != commas) return false;
     commas = here;
   }

@@ -2,10 +2,7 @@
 /// \brief The command `tumble` from outside: exit codes, messages, files.
 #include "apps/command.hpp"
 
-#include "tumble/scenes/library.hpp"
-#include "tumble/scenes/scene_file.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -32,7 +29,7 @@ TEST_CASE("A run leaves every file, and its own scene.toml repeats its hash", "[
   }
   // 61 steps (the last one cut) and the start, two bodies each, and the header.
   const std::string trajectory = content(one.path / "trajectory.csv");
-  CHECK(std::count(trajectory.begin(), trajectory.end(), '\n') == 1 + 2 * 62);
+  CHECK(std::ranges::count(trajectory, '\n') == 1 + 2 * 62);
   REQUIRE(run_tumble("run " + one.text() +
                      "/scene.toml --technique basic --set impacts=sequential" + rest + two.text())
               .code == 0);
@@ -106,7 +103,7 @@ TEST_CASE("Short runs end well: no step, one step, every third step recorded", "
         run_tumble("run box_drop --quiet --force --out " + folder.text() + " " + options);
     CHECK(outcome.code == 0);
     const std::string text = content(folder.path / table);
-    return std::count(text.begin(), text.end(), '\n') - 1;
+    return std::ranges::count(text, '\n') - 1;
   };
   CHECK(rows("--duration 0") == 1);  // the start
   CHECK(content(folder.path / "summary.json").find("\"potential_J\": 0,") == std::string::npos);

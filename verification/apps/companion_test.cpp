@@ -1,7 +1,7 @@
 /// \file
 /// \brief The command as a companion: nothing is lost, two runs are compared, a run is seen in the browser.
 #include "apps/command.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 /// \file
 /// \brief Safety of files: the command destroys nothing that it did not write, and ends in time.
 #include "apps/command.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 #include <chrono>
 

@@ -2,7 +2,7 @@
 /// \brief `tumble render --as gif|mp4|gltf`: films of a run, their needs, and refusals.
 #include "apps/command.hpp"
 #include "live/json.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -124,7 +124,7 @@ TEST_CASE("A run becomes a glTF file with a key for each recorded frame", "[unit
     return std::pair(times.at("count").number, times.at("max").items.at(0).number);
   };
   CHECK(keys("") == std::pair(31.0, 0.5));
-  CHECK(keys("--from 0.25").second == near(0.25).margin(1e-7));  // [s] single precision
+  CHECK(keys("--from 0.25").second == near(0.25, 1e-7));  // [s] single precision
   CHECK(keys("--fps 100") == std::pair(51.0, 0.5));
   CHECK(keys("--fps 100 --speed 0.25") == std::pair(201.0, 2.0));
 }
@@ -160,7 +160,7 @@ TEST_CASE("A film that cannot be made is refused in one line with a remedy", "[u
     INFO(options << ": " << outcome.text);
     CHECK(outcome.code == 2);
     CHECK(outcome.text.find(message) != std::string::npos);
-    CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
+    CHECK(std::ranges::count(outcome.text, '\n') == 1);
   }
   CHECK(files_in(folder) == files);
 }

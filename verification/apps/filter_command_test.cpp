@@ -1,7 +1,7 @@
 /// \file
 /// \brief Filters and halved steps from the command line.
 #include "apps/command.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -41,7 +41,7 @@ TEST_CASE("A filtered run leaves all other files as they are, and its own twice 
     CHECK(whole_lines(one.path / "trajectory_filtered.csv"));
     CHECK(shown != content(one.path / "trajectory.csv"));
     // The start, 42 steps and a cut one, two dice each, and the header.
-    CHECK(std::count(shown.begin(), shown.end(), '\n') == 1 + 2 * 44);
+    CHECK(std::ranges::count(shown, '\n') == 1 + 2 * 44);
     CHECK(content(one.path / "summary.json").find("\"filtered_frames\": 44,") != std::string::npos);
   }
   REQUIRE(run_tumble(rest + one.text()).code == 0);
@@ -64,7 +64,7 @@ TEST_CASE("The filter takes the frames that are recorded, not those between them
   CHECK(shown[9] == computed[9]);
   for (std::size_t k = 2; k < 9; ++k)
     CHECK(std::stod(cell(computed[k], 3)) - std::stod(cell(shown[k], 3)) ==
-          near(9.81 * 0.05 * 0.05 / 3.0).margin(1e-12));  // [m] measured 3e-16
+          near(9.81 * 0.05 * 0.05 / 3.0, 1e-12));  // [m] measured 3e-16
 }
 
 TEST_CASE("A filter that there is not ends with code 2 and one line, before anything runs",
@@ -108,7 +108,7 @@ TEST_CASE("Filters are listed with the form in which they are written",
   for (const char* message :
        {"box:FRAMES[,causal]", "envelope:RADIUS,ANGLE", "soft_envelope:RADIUS", "one_euro:CUTOFF"})
     CHECK(outcome.text.find(message) != std::string::npos);
-  CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 4);
+  CHECK(std::ranges::count(outcome.text, '\n') == 4);
   CHECK(run_tumble("run --help").text.find("tumble filters") != std::string::npos);
   CHECK(run_tumble("filers").text.find("did you mean filters?") != std::string::npos);
 }

@@ -5,7 +5,7 @@
 #include "tumble/record/table_file.hpp"
 
 #include "apps/command.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 /// \file
 /// \brief `tumble compare` and `tumble render`: pictures, and messages where none can be drawn.
 #include "apps/command.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -29,7 +29,7 @@ TEST_CASE("A comparison leaves tables, a scene and a picture, the same on every 
   CHECK(run_tumble(rest + two.text() + " --force").code == 0);  // its own folder may be used again
   CHECK(content(one.path / "compare.csv").find("\nbasic,complete,done,30,") != std::string::npos);
   const std::string series = content(one.path / "series.csv");
-  CHECK(std::count(series.begin(), series.end(), '\n') == 31);
+  CHECK(std::ranges::count(series, '\n') == 31);
   for (const char* file : {"compare.csv", "series.csv", "scene.toml", "compare.gp"}) {
     INFO(file);
     CHECK(!content(one.path / file).empty());
@@ -119,7 +119,7 @@ TEST_CASE("Frames of a run are drawn as SVG and PNG, one or several", "[unit][co
     const Outcome outcome = run_tumble("render " + quoted + " --as svg " + wrong);
     INFO(wrong << ": " << outcome.text);
     CHECK(outcome.code == 2);
-    CHECK(std::count(outcome.text.begin(), outcome.text.end(), '\n') == 1);
+    CHECK(std::ranges::count(outcome.text, '\n') == 1);
     CHECK(!fs::exists(folder.path / "picture.svg"));
   }
 }

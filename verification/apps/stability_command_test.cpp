@@ -1,9 +1,8 @@
 /// \file
 /// \brief `tumble stability` from outside: stable boxes, levels, initial motion, messages.
-#include "tumble/scenes/library.hpp"
 
 #include "apps/command.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 /// \file
 /// \brief A run that ends on a problem without an answer leaves the problem behind.
 #include "apps/command.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 #include <filesystem>
 #include <fstream>

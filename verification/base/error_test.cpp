@@ -2,68 +2,49 @@
 /// \brief Refusals name what was given and what would be right.
 #include "tumble/base/error.hpp"
 
-#include "tumble/base/number_text.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 
-namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
-
-template <typename Check>
-std::string refusal(Check check) {
-  try {
-    check();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
-}  // namespace
-
 TEST_CASE("A refused number is reported with its name, its value and the expected one",
           "[unit][error]") {
-  CHECK(refusal([] { require::finite(not_a_number, "mass"); }) ==
+  CHECK(refusal_of([] { require::finite(kNan, "mass"); }) ==
         "tumble: mass = nan: expected a finite number");
-  CHECK(refusal([] { require::positive(-0.5, "mass"); }) ==
+  CHECK(refusal_of([] { require::positive(-0.5, "mass"); }) ==
         "tumble: mass = -0.5: expected a finite number above 0");
-  CHECK(refusal([] { require::positive(0.0, "mass"); }) ==
+  CHECK(refusal_of([] { require::positive(0.0, "mass"); }) ==
         "tumble: mass = 0: expected a finite number above 0");
-  CHECK(refusal([] { require::positive(inf, "mass"); }) ==
+  CHECK(refusal_of([] { require::positive(kInfinity, "mass"); }) ==
         "tumble: mass = inf: expected a finite number above 0");
-  CHECK(refusal([] { require::not_negative(-1e-300, "friction"); }) ==
+  CHECK(refusal_of([] { require::not_negative(-1e-300, "friction"); }) ==
         "tumble: friction = -1e-300: expected a finite number, 0 or above");
-  CHECK(refusal([] { require::not_negative(inf, "friction"); }) ==
+  CHECK(refusal_of([] { require::not_negative(kInfinity, "friction"); }) ==
         "tumble: friction = inf: expected a finite number, 0 or above");
-  CHECK(refusal([] { require::within(1.5, 0.0, 1.0, "restitution"); }) ==
+  CHECK(refusal_of([] { require::within(1.5, 0.0, 1.0, "restitution"); }) ==
         "tumble: restitution = 1.5: expected a number from 0 to 1");
-  CHECK(refusal([] { require::within(not_a_number, 0.0, 1.0, "restitution"); }) ==
+  CHECK(refusal_of([] { require::within(kNan, 0.0, 1.0, "restitution"); }) ==
         "tumble: restitution = nan: expected a number from 0 to 1");
-  CHECK(refusal([] { require::that(false, "rows = -1: give at least 1"); }) ==
+  CHECK(refusal_of([] { require::that(false, "rows = -1: give at least 1"); }) ==
         "tumble: rows = -1: give at least 1");
 }
 
 TEST_CASE("A refused vector, matrix or quaternion is reported with all components",
           "[unit][error]") {
-  CHECK(refusal([] { require::finite(Vec3(1.0, not_a_number, -2.5), "position"); }) ==
+  CHECK(refusal_of([] { require::finite(Vec3(1.0, kNan, -2.5), "position"); }) ==
         "tumble: position = (1, nan, -2.5): expected three finite numbers");
-  CHECK(refusal([] {
+  CHECK(refusal_of([] {
           Mat3 m = Mat3::Identity();
-          m(0, 2) = inf;
+          m(0, 2) = kInfinity;
           require::finite(m, "inertia");
         }) == "tumble: inertia = (1, 0, inf)(0, 1, 0)(0, 0, 1): expected nine finite numbers");
-  CHECK(refusal([] { require::unit(Vec3(0.0, 2.0, 0.0), "axis"); }) ==
+  CHECK(refusal_of([] { require::unit(Vec3(0.0, 2.0, 0.0), "axis"); }) ==
         "tumble: axis = (0, 2, 0): expected a vector of length 1: normalise it first");
-  CHECK(refusal([] { require::unit(Vec3(not_a_number, 0.0, 0.0), "axis"); }) ==
+  CHECK(refusal_of([] { require::unit(Vec3(kNan, 0.0, 0.0), "axis"); }) ==
         "tumble: axis = (nan, 0, 0): expected three finite numbers");
-  CHECK(refusal([] { require::unit(Quat(2.0, 0.0, 0.0, 0.0), "q"); }) ==
+  CHECK(refusal_of([] { require::unit(Quat(2.0, 0.0, 0.0, 0.0), "q"); }) ==
         "tumble: q = (w 2, x y z (0, 0, 0)): expected a quaternion of length 1: normalise it "
         "first");
-  CHECK(refusal([] { require::unit(Quat(not_a_number, 0.0, 0.0, 0.0), "q"); }) ==
+  CHECK(refusal_of([] { require::unit(Quat(kNan, 0.0, 0.0, 0.0), "q"); }) ==
         "tumble: q = (w nan, x y z (0, 0, 0)): expected a quaternion of length 1: "
         "normalise it "
         "first");

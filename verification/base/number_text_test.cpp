@@ -2,7 +2,7 @@
 /// \brief Numbers as text, and text as numbers.
 #include "tumble/base/number_text.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 #include <clocale>
 #include <cstdio>
@@ -10,8 +10,6 @@
 namespace {
 
 using namespace tumble;
-
-constexpr double inf = std::numeric_limits<double>::infinity();
 
 // Puts a locale in which 0.5 is "0,5" in force for as long as it lives, where the machine has one.
 class CommaLocale {
@@ -39,8 +37,8 @@ TEST_CASE("A printed number is the shortest that reads back to the same bits",
   CHECK(shortest_text(1000.0) == "1000");
   CHECK(shortest_text(1.0 / 3.0) == "0.3333333333333333");
   CHECK(shortest_text(0.1 + 0.2) == "0.30000000000000004");
-  CHECK(shortest_text(inf) == "inf");
-  CHECK(shortest_text(-inf) == "-inf");
+  CHECK(shortest_text(kInfinity) == "inf");
+  CHECK(shortest_text(-kInfinity) == "-inf");
   for (const double x : {5e-324, 1.7976931348623157e308, 2.2250738585072014e-308, 1e23, -0.1})
     CHECK(parse_number(shortest_text(x)) == x);
 }
@@ -62,11 +60,11 @@ TEST_CASE("A number has the digits and decimals asked for, as printf writes them
 
 TEST_CASE("What is no number is written alike on every machine", "[unit][number_text]") {
   for (const double sign : {1.0, -1.0}) {
-    CHECK(shortest_text(std::copysign(std::nan(""), sign)) == "nan");
-    CHECK(rounded_text(std::copysign(std::nan(""), sign), 3) == "nan");
-    CHECK(fixed_text(std::copysign(std::nan(""), sign), 3) == "nan");
+    CHECK(shortest_text(std::copysign(kNan, sign)) == "nan");
+    CHECK(rounded_text(std::copysign(kNan, sign), 3) == "nan");
+    CHECK(fixed_text(std::copysign(kNan, sign), 3) == "nan");
   }
-  CHECK(fixed_text(-inf, 1) == "-inf");
+  CHECK(fixed_text(-kInfinity, 1) == "-inf");
 }
 
 TEST_CASE("A text is read as a number only if it is one from end to end", "[unit][number_text]") {

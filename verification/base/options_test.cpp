@@ -2,7 +2,7 @@
 /// \brief Options described once: declared, checked and read back.
 #include "tumble/base/options.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 

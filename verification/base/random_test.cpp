@@ -2,7 +2,7 @@
 /// \brief The random numbers: published values, evenness, and streams that do not disturb each other.
 #include "tumble/base/random.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 

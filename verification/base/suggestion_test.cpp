@@ -2,7 +2,7 @@
 /// \brief Guesses about mistyped names.
 #include "tumble/base/suggestion.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 

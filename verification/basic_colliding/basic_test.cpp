@@ -2,13 +2,11 @@
 /// \brief The basic technique: impacts at their times, caps, ties, snapshots.
 #include "tumble/basic_colliding/basic.hpp"
 
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/trajectory.hpp"
-#include "tumble/scenes/library.hpp"
 
-#include "support/catch.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -37,11 +35,9 @@ TEST_CASE("A missed third body restarts the search and collides first",
           "[exact][basic_colliding]") {
   // The fast left cube overlaps both others at the end of the step. Of the two candidates the
   // far one has the smaller index, so the search begins with it and has to begin again.
-  World world;
-  world.gravity_w = Vec3::Zero();
+  World world = weightless_world();
   BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, 1.0);
-  const BodyId bullet =
-      world.add(cube, make_state(cube, Vec3::Zero(), Quat::Identity(), Vec3(90.0, 0.0, 0.0)));
+  const BodyId bullet = world.add(cube, Vec3::Zero(), Quat::Identity(), Vec3(90.0, 0.0, 0.0));
   world.add(cube, make_state(cube, Vec3(2.3, 0.4, 0.0)), "far");
   world.add(cube, make_state(cube, Vec3(1.2, -0.7, 0.0)), "near");
   Basic basic;
@@ -52,7 +48,7 @@ TEST_CASE("A missed third body restarts the search and collides first",
   REQUIRE(!seen.events.empty());
   CHECK(seen.events[0].first == bullet);
   CHECK(world.name(world.index_of(seen.events[0].second)) == "near");
-  CHECK(seen.events[0].time == near(0.2 / 90.0).margin(1e-6));
+  CHECK(seen.events[0].time == near(0.2 / 90.0, 1e-6));
 }
 
 TEST_CASE("Overlap of the size of a rounding does not hold up a cradle",
@@ -63,9 +59,7 @@ TEST_CASE("Overlap of the size of a rounding does not hold up a cradle",
       for (const char* gap : {"0", "0.37", "0.5"}) {
         CAPTURE(static_cast<int>(order), count, gap);
         World world = world_of("cradle", {{"count", count}, {"gap", gap}});
-        BasicOptions options;
-        options.impacts = order;
-        Basic basic(options);
+        Basic basic({.impacts = order});
         int capped = 0;
         std::int64_t events = 0;
         for (int k = 0; k < 300; ++k) {
@@ -88,19 +82,13 @@ TEST_CASE("No scene makes the basic technique hang or lose a body", "[unit][basi
     if (p.has("per_edge")) p.set("per_edge", "2");
     if (p.has("rows")) p.set("rows", "3");
     World world = build_world(recipe.build(p, Random(3)));
-    BasicOptions options;
-    options.event_cap = 20;
-    Basic basic(options);
+    Basic basic({.event_cap = 20});
     for (int k = 0; k < 20; ++k) basic.step(world, 1.0 / 60.0);
     for (const BodyState& state : world.states()) CHECK(state.position_w.allFinite());
   }
 }
 
 TEST_CASE("Bad options of the basic technique are refused", "[unit][basic_colliding]") {
-  BasicOptions options;
-  options.event_cap = 0;
-  CHECK_THROWS_WITH(Basic(options), Contains("event_cap = 0"));
-  options = {};
-  options.resolution = 0.0;
-  CHECK_THROWS_WITH(Basic(options), Contains("resolution = 0"));
+  CHECK_THROWS_WITH(Basic({.event_cap = 0}), Contains("event_cap = 0"));
+  CHECK_THROWS_WITH(Basic({.resolution = 0.0}), Contains("resolution = 0"));
 }

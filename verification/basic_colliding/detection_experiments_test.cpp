@@ -1,11 +1,10 @@
 /// \file
 /// \brief The claims on finding collisions (thesis 3.2, 3.3.1, 3.3.2, 4.1), run small.
-#include "tumble/base/random.hpp"
 #include "tumble/geometry/signed_distance.hpp"
 
 #include "basic_colliding/counted.hpp"
 #include "driver/quick.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;

@@ -1,11 +1,9 @@
 /// \file
 /// \brief The strip of a thrown die, and the gallery.
-#include "tumble/base/number_text.hpp"
-#include "tumble/scenes/library.hpp"
 
 #include "driver/figure_texts.hpp"
 #include "driver/quick.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 #include <filesystem>
 
@@ -81,13 +79,12 @@ TEST_CASE("The gallery has one picture for each built-in scene of its own",
     ++scenes;
     const std::string name = "gallery_" + std::string(recipe.name);
     INFO(name);
-    const auto found = std::count_if(figures.begin(), figures.end(),
-                                     [&](const Figure& figure) { return figure.name == name; });
+    const auto found =
+        std::ranges::count_if(figures, [&](const Figure& figure) { return figure.name == name; });
     CHECK(found == 1);
   }
-  const auto of_thesis = std::count_if(figures.begin(), figures.end(), [](const Figure& figure) {
-    return figure.name.starts_with("gallery_fig");
-  });
+  const auto of_thesis = std::ranges::count_if(
+      figures, [](const Figure& figure) { return figure.name.starts_with("gallery_fig"); });
   CHECK(figures.size() == scenes + static_cast<std::size_t>(of_thesis));
 }
 
@@ -123,8 +120,8 @@ TEST_CASE("The caption of each picture of the gallery is the command that makes 
   const auto texts = read_figure_texts(source / "chapters/basic_colliding/figures.toml");
   for (const Figure& figure : gallery()) {
     const SceneRecipe& recipe = scene_recipe(figure.name.substr(std::string("gallery_").size()));
-    const auto text = std::find_if(texts.begin(), texts.end(),
-                                   [&](const FigureText& one) { return one.name == figure.name; });
+    const auto text =
+        std::ranges::find_if(texts, [&](const FigureText& one) { return one.name == figure.name; });
     REQUIRE(text != texts.end());
     CHECK(text->caption == command_for(figure, recipe));
     CHECK(text->section == recipe.section);

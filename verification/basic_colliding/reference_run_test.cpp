@@ -2,8 +2,8 @@
 /// \brief The basic technique beside an event-driven run of a bouncing ball by Siconos.
 #include "tumble/basic_colliding/basic.hpp"
 
-#include "support/catch.hpp"
 #include "support/shared_data.hpp"
+#include "support/test.hpp"
 
 #include <fstream>
 
@@ -48,12 +48,10 @@ TEST_CASE("A bouncing cube of the basic technique follows an event-driven refere
   const std::vector<Sample> samples = samples_of(*folder / "BouncingBallED.ref");
 
   // The same ball as a cube whose lower face is where the point is: 1 m, 1 kg, restitution 0.9.
-  World world;
-  world.add_ground(0.0, 0.9);
+  World world = test::ground_world(0.0, 0.9);
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, 0.9);
-  world.add(cube, make_state(cube, Vec3(0.0, 1.5, 0.0)));
-  BasicOptions options;
-  options.resolution = 1e-9;
+  world.add(cube, Vec3(0.0, 1.5, 0.0));
+  BasicOptions options{.resolution = 1e-9};
   Basic basic(options);
   Impacts seen;
   basic.observe(&seen);

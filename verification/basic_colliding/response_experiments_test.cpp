@@ -1,7 +1,8 @@
 /// \file
-/// \brief The claims of 2.1 and 2.5.2 on handling collisions, and the errata T5 to T9.
+/// \brief The claims of 2.1 and 2.5.2 on handling collisions, the errata T5 to T9, and intervals of shares and means.
 #include "driver/quick.hpp"
-#include "support/catch.hpp"
+#include "driver/statistics.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -125,4 +126,41 @@ TEST_CASE(
   CHECK(std::abs(errata().number("T9: the same, most of all 24 orders of the corners") -
                  2.187993856941261) < 1e-13);
   CHECK(errata().number("T9: spin after a flat landing, all corners together") < 1e-13);  // 2e-15
+}
+
+TEST_CASE("A share of trials has Wilson's interval", "[exact][basic_colliding]") {
+  // By hand with z = 1.959964: z²/(n + z²) for no hit, and 1/2 ± z/2/sqrt(n + z²) for a half.
+  const Quantity none = share_of_trials("none", 0, 10);
+  CHECK(none.value == 0.0);
+  CHECK(none.low == 0.0);
+  CHECK(std::abs(none.high - 0.2775327998628893) < 1e-12);
+  const Quantity all = share_of_trials("all", 10, 10);
+  CHECK(std::abs(all.low - (1.0 - none.high)) < 1e-12);
+  CHECK(all.high == 1.0);
+  const Quantity half = share_of_trials("half", 5, 10);
+  CHECK(half.value == 0.5);
+  CHECK(std::abs(half.low - 0.2365930905125654) < 1e-12);
+  CHECK(std::abs(half.high - 0.7634069094874346) < 1e-12);
+  CHECK(half.seeds == 10);
+  CHECK(std::isnan(share_of_trials("nothing tried", 0, 0).value));
+}
+
+TEST_CASE("The interval of a mean over seeds is Student's", "[exact][basic_colliding]") {
+  // 1 to 5 have the mean 3 and its standard error sqrt(2.5/5); Student's factor for five is 2.7764.
+  const std::vector<double> values = {1.0, 2.0, 3.0, 4.0, 5.0};
+  const Quantity mean = over_seeds("mean", "m", 5, [&](int left_out) {
+    return sum_without(values, left_out) / (left_out < 0 ? 5.0 : 4.0);
+  });
+  CHECK(mean.value == 3.0);
+  CHECK(std::abs(mean.high - 3.0 - 1.9632432) < 1e-6);  // seven digits were written down
+  CHECK(std::abs(mean.low - 3.0 + 1.9632432) < 1e-6);
+  CHECK(mean.seeds == 5);
+  CHECK(mean.unit == "m");
+}
+
+TEST_CASE("One seed has no interval", "[unit][basic_colliding]") {
+  const Quantity one = over_seeds("one", "-", 1, [](int) { return 2.0; });
+  CHECK(one.value == 2.0);
+  CHECK(std::isnan(one.low));
+  CHECK(std::isnan(one.high));
 }

@@ -3,7 +3,7 @@
 #include "chapters/scratch.hpp"
 #include "driver/appendix_page.hpp"
 #include "driver/csv.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace tumble::chapters {
 namespace {

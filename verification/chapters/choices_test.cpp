@@ -3,7 +3,7 @@
 #include "chapters/scratch.hpp"
 #include "driver/chosen_values.hpp"
 #include "driver/pages.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -40,11 +40,8 @@ Findings findings_with(const std::string& choices, const std::string& rows = kRo
 }
 
 std::vector<ChosenValue> values_from(const std::string& from) {
-  Choice choice;
-  choice.place = "choices.toml:1: choice height: ";
-  choice.from = from;
-  DrawnFigure figure;
-  figure.name = "fall";
+  Choice choice{.from = from, .place = "choices.toml:1: choice height: "};
+  DrawnFigure figure{.name = "fall"};
   figure.head["title"] = "Fall";
   figure.parameters = {"rows = 5 [-] of the pyramid", "speed = 2 [m/s] of it"};
   return chosen_values(choice,

@@ -2,7 +2,7 @@
 /// \brief Numbers of the errata of the thesis's listings, computed as `make figures` does.
 #include "driver/check.hpp"
 #include "driver/quick.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace tumble::chapters {
 
@@ -21,8 +21,7 @@ TEST_CASE("Each erratum of a listing has its expected numbers, taken literally a
     CHECK(result.quantities.size() == expected->numbers.size());
     for (const CheckedNumber& number : expected->numbers) {
       INFO(name << ", " << number.quantity);
-      CHECK(quantity_of(result, number.quantity).value ==
-            near(number.expected).margin(number.tolerance));
+      CHECK(quantity_of(result, number.quantity).value == near(number.expected, number.tolerance));
     }
   }
 }

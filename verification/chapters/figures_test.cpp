@@ -4,7 +4,7 @@
 #include "driver/csv.hpp"
 #include "driver/figure_texts.hpp"
 #include "driver/registry.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 #include <filesystem>
 

@@ -4,7 +4,7 @@
 
 #include "chapters/scratch.hpp"
 #include "driver/csv.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "chapters/scratch.hpp"
 #include "driver/csv.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 #include <filesystem>
 
@@ -37,23 +37,16 @@ std::string with(const std::string& old_text, const std::string& new_text) {
 }
 
 DrawnFigure drawn(double value, double low, double high, int seeds) {
-  CheckedNumber number;
-  number.quantity = "depth of fall";
-  number.unit = "m";
-  number.value = value;
-  number.low = low;
-  number.high = high;
-  number.seeds = seeds;
-  DrawnFigure figure;
-  figure.name = "claim_2_1a_fall";
-  figure.numbers = {number};
-  return figure;
+  CheckedNumber number{.quantity = "depth of fall",
+                       .unit = "m",
+                       .value = value,
+                       .low = low,
+                       .high = high,
+                       .seeds = seeds};
+  return DrawnFigure{.name = "claim_2_1a_fall", .numbers = {number}};
 }
 
-DrawnFigure drawn(double value) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  return drawn(value, nan, nan, 0);
-}
+DrawnFigure drawn(double value) { return drawn(value, kNan, kNan, 0); }
 
 std::vector<Claim> claims_of(const std::string& text) {
   const Scratch scratch("claims");
@@ -69,7 +62,7 @@ TEST_CASE("A rule decides at, above and below its limits", "[unit][ledger]") {
   CHECK(small_is_good.verdict(std::nextafter(5.0, 6.0)) == Verdict::qualified);
   CHECK(small_is_good.verdict(100.0) == Verdict::qualified);
   CHECK(small_is_good.verdict(std::nextafter(100.0, 101.0)) == Verdict::refuted);
-  CHECK(small_is_good.verdict(std::numeric_limits<double>::quiet_NaN()) == Verdict::not_measured);
+  CHECK(small_is_good.verdict(kNan) == Verdict::not_measured);
 
   const Rule large_is_good = read_rule(">=0.5", "< -1e-3");
   CHECK(large_is_good.verdict(0.5) == Verdict::confirmed);
@@ -102,8 +95,7 @@ TEST_CASE("A text that is no comparison is refused and named", "[unit][ledger]")
 TEST_CASE("A figure that was not drawn, or with other settings, measures nothing",
           "[unit][ledger]") {
   const auto claims = claims_of(kClaim);
-  const LedgerEntry missing =
-      judge(claims, {drawn(std::numeric_limits<double>::quiet_NaN())}).at(0);
+  const LedgerEntry missing = judge(claims, {drawn(kNan)}).at(0);
   CHECK(missing.verdict == Verdict::not_measured);
   CHECK_THAT(missing.note, Contains("make figures"));
 
@@ -137,11 +129,10 @@ TEST_CASE("A figure, quantity or unit that does not exist is an error", "[unit][
 
 TEST_CASE("A number over random scenes needs twenty of them and an interval", "[unit][ledger]") {
   const auto claims = claims_of(kClaim);
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(judge(claims, {drawn(3.0, 2.0, 4.0, 20)}).at(0).verdict == Verdict::confirmed);
   CHECK_THROWS_WITH(judge(claims, {drawn(3.0, 2.0, 4.0, 19)}),
                     Contains("measured over 19 random scenes: take at least 20"));
-  CHECK_THROWS_WITH(judge(claims, {drawn(3.0, nan, nan, 20)}), Contains("give the interval"));
+  CHECK_THROWS_WITH(judge(claims, {drawn(3.0, kNan, kNan, 20)}), Contains("give the interval"));
 }
 
 TEST_CASE("Two claims with one id are refused, in one file and in two", "[unit][ledger]") {

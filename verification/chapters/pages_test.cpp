@@ -4,7 +4,7 @@
 
 #include "chapters/scratch.hpp"
 #include "driver/markup.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -95,8 +95,7 @@ TEST_CASE("Every small number of the library has unit, reason and section", "[un
   const auto found = read_all_tolerances(std::filesystem::path(TUMBLE_SOURCE_DIR) / "src/tumble");
   CHECK(found.size() > 60);
   CHECK(found.front().layer == "base");
-  CHECK(std::any_of(found.begin(), found.end(),
-                    [](const Tolerance& one) { return one.layer == "filtering"; }));
+  CHECK(std::ranges::any_of(found, [](const Tolerance& one) { return one.layer == "filtering"; }));
 }
 
 }  // namespace tumble::chapters

@@ -6,7 +6,7 @@
 #include "driver/csv.hpp"
 #include "driver/findings.hpp"
 #include "driver/pages.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -3,12 +3,9 @@
 #include "chapters/scratch.hpp"
 #include "driver/csv.hpp"
 #include "driver/ledger.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 #include <cstdio>
-#include <map>
-#include <memory>
-#include <sstream>
 
 namespace tumble::chapters {
 namespace {
@@ -49,7 +46,7 @@ struct ChangedRow {
 void note_commit(FirstCommits& first, const FirstCommit& commit,
                  const std::vector<ChangedRow>& added, const std::vector<ChangedRow>& taken) {
   for (const ChangedRow& row : added) {
-    const auto old = std::find_if(taken.begin(), taken.end(), [&](const ChangedRow& other) {
+    const auto old = std::ranges::find_if(taken, [&](const ChangedRow& other) {
       return other.line == row.line && other.chapter != row.chapter;
     });
     const auto known =
@@ -105,7 +102,7 @@ bool same_rule(const Rule& a, const Rule& b) {
 
 // Whether the second measurement had its rule before its number, word by word.
 bool was_ruled(const Second& second, const std::vector<Second>& before) {
-  return std::any_of(before.begin(), before.end(), [&](const Second& rule) {
+  return std::ranges::any_of(before, [&](const Second& rule) {
     return rule.id == second.id && same_rule(rule, second) && rule.scene == second.scene &&
            rule.control == second.control && rule.otherwise == second.otherwise &&
            rule.ruled == second.ruled;
@@ -113,9 +110,8 @@ bool was_ruled(const Second& second, const std::vector<Second>& before) {
 }
 
 bool was_ruled(const Claim& claim, const std::vector<Claim>& before) {
-  return std::any_of(before.begin(), before.end(), [&](const Claim& rule) {
-    return rule.id == claim.id && same_rule(rule, claim);
-  });
+  return std::ranges::any_of(
+      before, [&](const Claim& rule) { return rule.id == claim.id && same_rule(rule, claim); });
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "driver/thesis_map.hpp"
 
 #include "chapters/scratch.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace tumble::chapters {
 namespace {

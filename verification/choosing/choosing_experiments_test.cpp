@@ -7,7 +7,7 @@
 #include "driver/check.hpp"
 #include "driver/csv.hpp"
 #include "driver/quick.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 #include <filesystem>
 
@@ -133,19 +133,18 @@ TEST_CASE("The paths that techniques are compared with are the closed forms", "[
 }
 
 TEST_CASE("Everything that a report counts as work is counted once", "[unit][choosing]") {
-  StepReport report;
-  report.iterations = 1;
-  report.pivots = 10;
-  report.impulses = 100;
-  report.pair_tests = 1000;
-  report.integrations = 10000;
-  report.searches = 100000;
+  StepReport report{.iterations = 1,
+                    .pivots = 10,
+                    .impulses = 100,
+                    .pair_tests = 1000,
+                    .integrations = 10000,
+                    .searches = 100000};
   CHECK(work_of(report) == 111111.0);
   CHECK(work_of(report, 10.0) == 111201.0);
 }
 
 TEST_CASE("A pair changes places if each of the two is ahead somewhere", "[exact][choosing]") {
-  const double never = std::numeric_limits<double>::infinity();
+  const double never = kInfinity;
   CHECK(share_that_changes_places({{1, 1, 1}, {2, 2, 2}}) == 0.0);
   CHECK(share_that_changes_places({{1, 3, 1}, {2, 2, 2}}) == 1.0);
   CHECK(share_that_changes_places({{1, never, 1}, {2, never, 2}}) == 0.0);
@@ -194,7 +193,7 @@ TEST_CASE("The order of techniques changes from problem to problem", "[claims][c
 TEST_CASE(
     "A box tips at the angle of its diagonal under friction, and not where damping stands for it",
     "[exact][choosing]") {
-  CHECK(kTippingSlope == near(26.565051177).margin(1e-9));  // [deg] arctan 1/2
+  CHECK(kTippingSlope == near(26.565051177, 1e-9));  // [deg] arctan 1/2
   for (const char* name : {"contact_damped", "analytic", "time_stepping", "impulse"}) {
     INFO(name);
     CHECK(tips_at_limit(played(name), 0.1));
@@ -203,7 +202,7 @@ TEST_CASE(
 }
 
 TEST_CASE("A pile that falls has no speed at rest, and one that stands has", "[unit][choosing]") {
-  const Scene pair = scene_with("stack", {"count=2"});
+  const Scene pair = make_scene("stack", {"count=2"});
   const PileRun stands = pile_run(pair, played("contact_damped"), 0.6);
   CHECK(stands.stands);
   CHECK(stands.speed < 1e-6);  // [m/s] measured: 0

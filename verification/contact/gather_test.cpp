@@ -2,7 +2,7 @@
 /// \brief Tests of how contacts are gathered, and of loading and storing velocities.
 #include "tumble/contact/gather.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "support/touching.hpp"
 
 using namespace tumble;
@@ -12,14 +12,13 @@ namespace {
 
 // The ground, a box on it that sinks in by 1 cm, a box on that one, and a fixed box beside.
 World small_world() {
-  World world;
-  world.add_ground(0.9, 0.1);
+  World world = ground_world(0.9, 0.1);
   const BodyProperties lower = box_properties(Vec3::Ones(), 2.0, 0.4, 0.3);
   const BodyProperties upper = box_properties(Vec3(0.5, 0.5, 0.5), 1.0, 0.1, 0.2);
-  world.add(lower, make_state(lower, Vec3(0, 0.49, 0), Quat::Identity(), Vec3(0, -2, 0)));
-  world.add(upper, make_state(upper, Vec3(0, 1.24, 0), Quat::Identity(), Vec3(1, -3, 0)));
+  world.add(lower, Vec3(0, 0.49, 0), Quat::Identity(), Vec3(0, -2, 0));
+  world.add(upper, Vec3(0, 1.24, 0), Quat::Identity(), Vec3(1, -3, 0));
   const BodyProperties wall = fixed_box_properties(Vec3::Ones());
-  world.add(wall, make_state(wall, Vec3(3, 0.4, 0)));
+  world.add(wall, Vec3(3, 0.4, 0));
   return world;
 }
 
@@ -29,8 +28,7 @@ TEST_CASE(
     "Contacts carry combined coefficients, approach speeds and the normal from the older body",
     "[unit][gather]") {
   const World world = small_world();
-  std::vector<MovingBody> bodies;
-  load_moving_bodies(world, bodies);
+  std::vector<MovingBody> bodies = moving_bodies(world);
   ContactList contacts;
   const GatherReport report = gather_contacts(world, bodies, all_pairs(world), 0.001, {}, contacts);
 
@@ -45,38 +43,35 @@ TEST_CASE(
   CHECK(low.second == 1);
   CHECK(low.first_id < low.second_id);
   CHECK((low.normal_w - Vec3::UnitY()).norm() < 1e-15);
-  CHECK(low.friction == near(0.6).margin(1e-12));  // √(0.9 · 0.4)
+  CHECK(low.friction == near(0.6, 1e-12));  // √(0.9 · 0.4)
   CHECK(low.restitution == 0.3);
   CHECK(low.count == 4);
   const Contact& high = contacts[1];
-  CHECK(high.friction == near(0.2).margin(1e-12));  // √(0.4 · 0.1)
+  CHECK(high.friction == near(0.2, 1e-12));  // √(0.4 · 0.1)
   CHECK(high.restitution == 0.3);
   for (std::size_t i = 0; i < 4; ++i) {
-    CHECK(low.points[i].approach_speed == near(-2.0).margin(1e-12));
-    CHECK(high.points[i].approach_speed == near(-1.0).margin(1e-12));
-    CHECK(low.points[i].distance == near(-0.01).margin(1e-12));
+    CHECK(low.points[i].approach_speed == near(-2.0, 1e-12));
+    CHECK(high.points[i].approach_speed == near(-1.0, 1e-12));
+    CHECK(low.points[i].distance == near(-0.01, 1e-12));
     CHECK(low.points[i].normal_impulse == 0.0);
   }
 }
 
 TEST_CASE("A ground that is younger than a box is the second body", "[unit][gather]") {
   World world;
-  const BodyProperties body = box_properties(Vec3::Ones(), 1.0);
-  world.add(body, make_state(body, Vec3(0, 0.5, 0), Quat::Identity(), Vec3(0, -1, 0)));
+  world.add(box_properties(Vec3::Ones(), 1.0), Vec3(0, 0.5, 0), Quat::Identity(), Vec3(0, -1, 0));
   world.add_ground();
-  std::vector<MovingBody> bodies;
-  load_moving_bodies(world, bodies);
+  std::vector<MovingBody> bodies = moving_bodies(world);
   ContactList contacts;
   gather_contacts(world, bodies, all_pairs(world), 0.001, {}, contacts);
   REQUIRE(contacts.size() == 1);
   CHECK((contacts[0].normal_w + Vec3::UnitY()).norm() < 1e-15);
-  CHECK(contacts[0].points[0].approach_speed == near(-1.0).margin(1e-12));
+  CHECK(contacts[0].points[0].approach_speed == near(-1.0, 1e-12));
 }
 
 TEST_CASE("Points that touched before get their impulses back, by feature", "[unit][gather]") {
   World world = small_world();
-  std::vector<MovingBody> bodies;
-  load_moving_bodies(world, bodies);
+  std::vector<MovingBody> bodies = moving_bodies(world);
   ContactList before;
   ContactList after;
   gather_contacts(world, bodies, all_pairs(world), 0.001, {}, before);
@@ -121,27 +116,25 @@ TEST_CASE("The remembered axis keeps a contact on its face", "[unit][gather]") {
   // be taken, and the one of the step before is.
   World world;
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  world.add(cube, make_state(cube, Vec3::Zero()));
-  const BodyId second = world.add(cube, make_state(cube, Vec3(0.9, 0.8, 0)));
-  std::vector<MovingBody> bodies;
-  load_moving_bodies(world, bodies);
+  world.add(cube, Vec3::Zero());
+  const BodyId second = world.add(cube, Vec3(0.9, 0.8, 0));
+  std::vector<MovingBody> bodies = moving_bodies(world);
   ContactList before;
   ContactList after;
   gather_contacts(world, bodies, all_pairs(world), 0.001, {}, before);
   REQUIRE(before.size() == 1);
-  CHECK(before[0].normal_w.x() == near(1.0).margin(1e-12));
+  CHECK(before[0].normal_w.x() == near(1.0, 1e-12));
   world.set_state(second, make_state(cube, Vec3(0.9, 0.902, 0)));
   gather_contacts(world, bodies, all_pairs(world), 0.001, before, after);
   CHECK(after[0].axis == before[0].axis);
-  CHECK(after[0].normal_w.x() == near(1.0).margin(1e-12));
+  CHECK(after[0].normal_w.x() == near(1.0, 1e-12));
   gather_contacts(world, bodies, all_pairs(world), 0.001, {}, after);
-  CHECK(after[0].normal_w.y() == near(1.0).margin(1e-12));
+  CHECK(after[0].normal_w.y() == near(1.0, 1e-12));
 }
 
 TEST_CASE("Bad candidates, bodies and margins are refused", "[unit][gather]") {
   const World world = small_world();
-  std::vector<MovingBody> bodies;
-  load_moving_bodies(world, bodies);
+  std::vector<MovingBody> bodies = moving_bodies(world);
   ContactList out;
   const auto gather = [&](std::vector<IndexPair> pairs, double margin) {
     gather_contacts(world, bodies, pairs, margin, {}, out);
@@ -153,7 +146,7 @@ TEST_CASE("Bad candidates, bodies and margins are refused", "[unit][gather]") {
   CHECK_THROWS_WITH(gather({{1, 2}, {0, 1}}, 0.0), Contains("candidates"));
   CHECK_THROWS_WITH(gather({{0, 1}, {0, 1}}, 0.0), Contains("candidates"));
   CHECK_THROWS_WITH(gather({{0, 1}}, -1.0), Contains("margin"));
-  CHECK_THROWS_WITH(gather({{0, 1}}, std::numeric_limits<double>::infinity()), Contains("margin"));
+  CHECK_THROWS_WITH(gather({{0, 1}}, kInfinity), Contains("margin"));
   bodies.pop_back();
   CHECK_THROWS_WITH(gather({{0, 1}}, 0.0), Contains("bodies"));
 }

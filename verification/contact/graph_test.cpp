@@ -2,9 +2,7 @@
 /// \brief Tests of the support graph.
 #include "tumble/contact/graph.hpp"
 
-#include "tumble/base/random.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -34,11 +32,7 @@ std::vector<int> components_of(const ContactGraph& graph) {
 }
 
 Contact contact_of(int first, int second, const Vec3& normal_w) {
-  Contact contact;
-  contact.first = first;
-  contact.second = second;
-  contact.normal_w = normal_w.normalized();
-  return contact;
+  return Contact{.first = first, .second = second, .normal_w = normal_w.normalized()};
 }
 
 void shuffle(std::vector<SupportEdge>& edges, Random& random) {
@@ -140,7 +134,7 @@ TEST_CASE("A contact makes an edge from the body that pushes up", "[unit][contac
   CHECK(edge_for(Vec3(1, 0, 0), Vec3(-1e-200, 0, 0)) == std::pair(3, 7));
   CHECK(edge_for(Vec3(0, 1, 0), Vec3(0, 3, 0)) == std::pair(7, 3));
   CHECK(edge_for(Vec3(0, 1, 0), Vec3::Zero()) == none);
-  CHECK_THROWS_WITH(edge_for(Vec3(0, 1, 0), Vec3(0, std::nan(""), 0)), Contains("gravity_w"));
+  CHECK_THROWS_WITH(edge_for(Vec3(0, 1, 0), Vec3(0, kNan, 0)), Contains("gravity_w"));
 }
 
 TEST_CASE("Components and levels agree with brute force on random graphs",

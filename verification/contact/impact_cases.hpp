@@ -6,7 +6,6 @@
 #include "tumble/contact/effective_mass.hpp"
 
 #include <cmath>
-#include <vector>
 
 namespace tumble::impact_cases {
 
@@ -23,9 +22,7 @@ inline Heavy box(const Vec3& position_w, const Vec3& size, double mass, const Ve
                  const Quat& orientation_wb = Quat::Identity()) {
   const BodyProperties body = box_properties(size, mass);
   const Mat3 r = orientation_wb.toRotationMatrix();
-  Heavy h;
-  h.mass = mass;
-  h.inertia_w = r * body.inertia_b.asDiagonal() * r.transpose();
+  Heavy h{.mass = mass, .inertia_w = r * body.inertia_b.asDiagonal() * r.transpose()};
   h.moving.position_w = position_w;
   h.moving.velocity_w = velocity_w;
   h.moving.angular_velocity_w = omega_w;

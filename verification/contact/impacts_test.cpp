@@ -3,7 +3,7 @@
 #include "tumble/contact/impacts.hpp"
 
 #include "contact/impact_cases.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::impact_cases;
@@ -46,13 +46,12 @@ Scene cradle(const std::vector<double>& speeds, double restitution) {
     const double x = static_cast<double>(i);
     s.bodies.push_back(box(Vec3(x, 0, 0), Vec3::Ones(), 1.0, Vec3(speeds[i], 0, 0)));
     if (i == 0) continue;
-    Contact c;
-    c.first = static_cast<int>(i) - 1;
-    c.second = static_cast<int>(i);
-    c.normal_w = Vec3::UnitX();
-    c.restitution = restitution;
-    c.friction = 0.5;
-    c.count = 1;
+    Contact c{.first = static_cast<int>(i) - 1,
+              .second = static_cast<int>(i),
+              .normal_w = Vec3::UnitX(),
+              .friction = 0.5,
+              .restitution = restitution,
+              .count = 1};
     c.points[0].position_w = Vec3(x - 0.5, 0, 0);
     s.contacts.push_back(c);
   }
@@ -63,12 +62,11 @@ Scene cradle(const std::vector<double>& speeds, double restitution) {
 // A contact with four corners around a centre.
 Contact face(int first, int second, const Vec3& center_w, double half, double friction,
              double restitution) {
-  Contact c;
-  c.first = first;
-  c.second = second;
-  c.friction = friction;
-  c.restitution = restitution;
-  c.count = 4;
+  Contact c{.first = first,
+            .second = second,
+            .friction = friction,
+            .restitution = restitution,
+            .count = 4};
   for (int k = 0; k < 4; ++k)
     c.points[static_cast<std::size_t>(k)].position_w =
         center_w + Vec3((k & 1) != 0 ? half : -half, 0.0, (k & 2) != 0 ? half : -half);
@@ -97,8 +95,7 @@ double worst_difference(const Scene& s, const std::vector<double>& expected) {
 }  // namespace
 
 TEST_CASE("Newton's cradle solved at one stroke gives -1/3, 2/3, 2/3", "[exact][impacts]") {
-  ImpactOptions options;
-  options.order = ImpactOrder::simultaneous;
+  ImpactOptions options{.order = ImpactOrder::simultaneous};
   ImpactSolver solver;
   struct Row {
     std::vector<double> before, after;
@@ -140,7 +137,7 @@ TEST_CASE("Newton's cradle solved one after the other throws the last ball out",
     CHECK(r.status == ImpactStatus::done);
     CHECK(worst_difference(s, row.after) < (row.e == 1.0 ? 1e-15 : 5e-11));  // [m/s] 10 digits
     CHECK(r.collisions == row.collisions);
-    CHECK(s.energy() - energy == near(r.restitution_energy + r.friction_energy).margin(1e-15));
+    CHECK(s.energy() - energy == near(r.restitution_energy + r.friction_energy, 1e-15));
   }
 }
 
@@ -174,10 +171,8 @@ TEST_CASE("Sequential passes on a stack of n take 20, 136, 550, 2204 to come to 
         c.points[0].position_w.x() = 0.0;
         c.points[0].position_w.z() = 0.0;
       }
-      ImpactOptions options;
-      options.settled = 0.0;
-      options.most_passes = passes;
-      const ImpactResult r = solver.resolve(s.contacts, s.moving, options);
+      const ImpactResult r =
+          solver.resolve(s.contacts, s.moving, {.settled = 0.0, .most_passes = passes});
       CHECK(r.status == ImpactStatus::cap_reached);
       CHECK(r.passes == passes);
       double sum = 0.0;
@@ -194,8 +189,7 @@ TEST_CASE("Sequential passes on a stack of n take 20, 136, 550, 2204 to come to 
 }
 
 TEST_CASE("A stack solved at one stroke is at rest at once", "[exact][impacts]") {
-  ImpactOptions options;
-  options.order = ImpactOrder::simultaneous;
+  ImpactOptions options{.order = ImpactOrder::simultaneous};
   ImpactSolver solver;
   Scene s = stack(20, 0.0);
   const ImpactResult r = solver.resolve(s.contacts, s.moving, options);
@@ -215,8 +209,7 @@ TEST_CASE("A cube that cannot bounce off both of two closing walls is squeezed t
   s.bodies = {fixed(), box(Vec3(0, 0.5, 0), Vec3::Ones(), 1.0, Vec3(0, -1, 0)), fixed()};
   s.contacts = {face(0, 1, Vec3::Zero(), 0.5, 0.5, 0.8), face(1, 2, Vec3(0, 1, 0), 0.5, 0.5, 0.8)};
   s.load();
-  ImpactOptions options;
-  options.order = ImpactOrder::simultaneous;
+  ImpactOptions options{.order = ImpactOrder::simultaneous};
   ImpactSolver solver;
   const ImpactResult r = solver.resolve(s.contacts, s.moving, options);
   CHECK(r.status == ImpactStatus::done);
@@ -229,7 +222,7 @@ TEST_CASE("A cube that cannot bounce off both of two closing walls is squeezed t
   s.load();
   const ImpactResult closing = solver.resolve(s.contacts, s.moving, options);
   CHECK(closing.status == ImpactStatus::no_solution);
-  CHECK(closing.worst_approach == near(2.0).margin(1e-12));
+  CHECK(closing.worst_approach == near(2.0, 1e-12));
   CHECK(s.moving[1].velocity_w == Vec3(0, -1, 0));
 }
 
@@ -256,9 +249,8 @@ TEST_CASE("Impacts in random heaps never raise the energy", "[unit][impacts]") {
     }
     s.load();
     const double energy = s.energy();
-    ImpactOptions options;
-    options.order = i % 2 == 0 ? ImpactOrder::simultaneous : ImpactOrder::sequential;
-    options.most_passes = 50;
+    ImpactOptions options{.order = i % 2 == 0 ? ImpactOrder::simultaneous : ImpactOrder::sequential,
+                          .most_passes = 50};
     const ImpactResult r = solver.resolve(s.contacts, s.moving, options);
     const double change = s.energy() - energy;
     if (r.status != ImpactStatus::done) ++not_done;
@@ -283,12 +275,9 @@ TEST_CASE("Impacts in random heaps never raise the energy", "[unit][impacts]") {
 TEST_CASE("Bad options and contacts are refused by the impact solver", "[unit][impacts]") {
   ImpactSolver solver;
   Scene s = stack(2, 0.3);
-  ImpactOptions options;
-  options.most_passes = 0;
-  CHECK_THROWS_WITH(solver.resolve(s.contacts, s.moving, options), Contains("most_passes"));
-  options = {};
-  options.settled = -1.0;
-  CHECK_THROWS_WITH(solver.resolve(s.contacts, s.moving, options), Contains("settled"));
+  CHECK_THROWS_WITH(solver.resolve(s.contacts, s.moving, {.most_passes = 0}),
+                    Contains("most_passes"));
+  CHECK_THROWS_WITH(solver.resolve(s.contacts, s.moving, {.settled = -1.0}), Contains("settled"));
   s.contacts[1].second = 9;
   CHECK_THROWS_WITH(solver.resolve(s.contacts, s.moving), Contains("contacts"));
 }

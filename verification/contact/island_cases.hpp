@@ -21,12 +21,7 @@ inline std::vector<BodyProperties> bodies_from(std::string_view letters) {
 }
 
 // A contact of two bodies, wherever it is.
-inline Contact touching(int first, int second) {
-  Contact contact;
-  contact.first = first;
-  contact.second = second;
-  return contact;
-}
+inline Contact touching(int first, int second) { return Contact{.first = first, .second = second}; }
 
 // Numbers that can be compared.
 inline std::vector<int> list(std::span<const int> numbers) {

@@ -3,7 +3,7 @@
 #include "tumble/contact/islands.hpp"
 
 #include "contact/island_cases.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -52,14 +52,14 @@ TEST_CASE("Islands agree with brute force on random contacts, in any order",
       const std::vector<int> members = list(islands.bodies(k));
       if (members.front() <= last) ++wrong;  // islands ascend by their smallest body
       last = members.front();
-      if (!std::is_sorted(members.begin(), members.end())) ++wrong;
+      if (!std::ranges::is_sorted(members)) ++wrong;
       for (const int body : members)
         if (smallest[static_cast<std::size_t>(body)] != members.front() ||
             islands.island_of(body) != k || !bodies[static_cast<std::size_t>(body)].movable())
           ++wrong;
       bodies_seen += members.size();
       const std::vector<int> touched = list(islands.contacts(k));
-      if (!std::is_sorted(touched.begin(), touched.end())) ++wrong;
+      if (!std::ranges::is_sorted(touched)) ++wrong;
       for (const int c : touched) {
         const Contact& contact = contacts[static_cast<std::size_t>(c)];
         if (islands.island_of(contact.first) != k && islands.island_of(contact.second) != k)

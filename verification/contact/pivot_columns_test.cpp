@@ -1,12 +1,8 @@
 /// \file
 /// \brief A column that turns about an edge, by each technique that can carry bodies.
-#include "tumble/base/index.hpp"
 #include "tumble/contact/pivot_update.hpp"
-#include "tumble/dynamics/energy.hpp"
-#include "tumble/math/rotation.hpp"
-#include "tumble/techniques.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -25,11 +21,11 @@ World leaning_column(double yaw) {
   const Quat lean = rotation_from_vector(Vec3(0.0, 0.0, -(kLean + std::atan(0.25))));
   const Vec3 edge_w(0.0, 2.0, 0.0);
   const BodyProperties table = fixed_box_properties(Vec3(4.0, 4.0, 4.0), 10.0);
-  world.add(table, make_state(table, around * Vec3(-2.0, 0.0, 0.0), around));
+  world.add(table, around * Vec3(-2.0, 0.0, 0.0), around);
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 10.0);
   for (int k = 0; k < 4; ++k)
-    world.add(cube, make_state(cube, around * (edge_w + lean * Vec3(-0.5, 0.5 + k, 0.0)),
-                               (around * lean).normalized()));
+    world.add(cube, around * (edge_w + lean * Vec3(-0.5, 0.5 + k, 0.0)),
+              (around * lean).normalized());
   return world;
 }
 

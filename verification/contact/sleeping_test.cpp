@@ -2,10 +2,7 @@
 /// \brief Tests of falling asleep and waking.
 #include "tumble/contact/sleeping.hpp"
 
-#include "tumble/base/index.hpp"
-#include "tumble/geometry/separation.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -13,11 +10,7 @@ using namespace tumble;
 
 constexpr double kDt = 1.0 / 60.0;
 
-BodyState place(double x, double y) {
-  BodyState state;
-  state.position_w = Vec3(x, y, 0.0);
-  return state;
-}
+BodyState place(double x, double y) { return BodyState{.position_w = Vec3(x, y, 0.0)}; }
 
 // A technique as small as can be: boxes fall, stop dead on what is under them, and slide freely.
 // Its use of the rule is the one that the header describes.
@@ -61,13 +54,9 @@ struct Rig {
                              box_of(bodies[idx(b)], world.states()[idx(b)]), {.enough = 0.01});
         }
         if (found.distance > 0.01) continue;
-        Contact contact;
-        contact.first = a;
-        contact.second = b;
-        contact.normal_w = found.normal_w;
-        contacts.push_back(contact);
+        contacts.push_back(Contact{.first = a, .second = b, .normal_w = found.normal_w});
       }
-    if (backwards) std::reverse(contacts.begin(), contacts.end());
+    if (backwards) std::ranges::reverse(contacts);
   }
 
   SleepReport step(double dt = kDt) {
@@ -166,7 +155,7 @@ TEST_CASE("A slow body's energy is booked when it falls asleep", "[unit][sleepin
   const BodyId slow = rig.box(0.0, 0.5);
   rig.world.set_velocity(slow, Vec3(0.02, 0.0, 0.0), Vec3(0.0, 0.01, 0.0));
   const double energy = kinetic_energy(rig.world.bodies()[1], rig.world.states()[1]);
-  CHECK(energy == near(0.5 * 2.0 * 4e-4 + 0.5 * (2.0 / 6.0) * 1e-4).margin(1e-12));
+  CHECK(energy == near(0.5 * 2.0 * 4e-4 + 0.5 * (2.0 / 6.0) * 1e-4, 1e-12));
   CHECK(rig.steps(40).energy == near(-energy).epsilon(1e-12));
   CHECK(rig.world.states()[1].linear_momentum_w.isZero(0.0));
   CHECK(rig.world.states()[1].angular_momentum_w.isZero(0.0));
@@ -368,7 +357,7 @@ TEST_CASE("A copy of world and rule goes on in the same bits", "[determinism][sl
 
 TEST_CASE("Bad input to the sleeping rule is refused", "[unit][sleeping]") {
   CHECK_THROWS_WITH(SleepingRule(SleepingOptions{.speed = -1.0}), Contains("speed"));
-  CHECK_THROWS_WITH(SleepingRule(SleepingOptions{.speed_weightless = std::nan("")}),
+  CHECK_THROWS_WITH(SleepingRule(SleepingOptions{.speed_weightless = kNan}),
                     Contains("speed_weightless"));
   CHECK_THROWS_WITH(SleepingRule(SleepingOptions{.time = -0.1}), Contains("time"));
   Heaps heaps;

@@ -2,7 +2,7 @@
 /// \brief Tests of the rule by which slow collisions stick.
 #include "tumble/contact/sticky.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 
@@ -46,9 +46,7 @@ TEST_CASE("A ball with restitution 0.5 bounces 6 times above 0.1 m/s, and 36 tim
                                     {0.9, 0.01, 58, 8.55891479272},
                                     {0.9, 0.001, 80, 8.57697625069}}};
   for (const Row& row : rows) {
-    StickyOptions options;
-    options.threshold = row.threshold / std::sqrt(kGravity);
-    const Bounces b = drop(row.e, options);
+    const Bounces b = drop(row.e, {.threshold = row.threshold / std::sqrt(kGravity)});
     CHECK(b.collisions == row.bounces + 1);
     const double last_speed = std::sqrt(2.0 * kGravity) * std::pow(row.e, row.bounces);
     CHECK(b.time - 2.0 * last_speed / kGravity == near(row.time).epsilon(1e-11));
@@ -57,8 +55,7 @@ TEST_CASE("A ball with restitution 0.5 bounces 6 times above 0.1 m/s, and 36 tim
 
 TEST_CASE("A ball sticks at its 5th or 32nd collision when rebounds below g dt stick",
           "[exact][sticky]") {
-  StickyOptions options;
-  options.rule = StickyRule::step_size;
+  StickyOptions options{.rule = StickyRule::step_size};
   CHECK(drop(0.5, options).collisions == 5);
   CHECK(drop(0.9, options).collisions == 32);
 }
@@ -78,19 +75,15 @@ TEST_CASE("Without gravity the scale of speed is one size in a step", "[unit][st
   CHECK(sticky_restitution(0.7, -0.019, scale, {}) == 0.0);
   CHECK(sticky_restitution(0.7, -0.021, scale, {}) == 0.7);
   // And the rule by step size never makes anything stick.
-  StickyOptions options;
-  options.rule = StickyRule::step_size;
-  CHECK(sticky_restitution(0.7, -1e-9, scale, options) == 0.7);
+  CHECK(sticky_restitution(0.7, -1e-9, scale, {.rule = StickyRule::step_size}) == 0.7);
 }
 
 TEST_CASE("Bad values are refused by the sticky rule", "[unit][sticky]") {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_WITH(sticky_restitution(1.5, -1.0, {}, {}), Contains("restitution"));
-  CHECK_THROWS_WITH(sticky_restitution(0.5, nan, {}, {}), Contains("approach_speed"));
+  CHECK_THROWS_WITH(sticky_restitution(0.5, kNan, {}, {}), Contains("approach_speed"));
   CHECK_THROWS_WITH(sticky_restitution(0.5, -1.0, {-9.81, 1.0, 0.01}, {}), Contains("gravity"));
   CHECK_THROWS_WITH(sticky_restitution(0.5, -1.0, {9.81, 0.0, 0.01}, {}), Contains("size"));
   CHECK_THROWS_WITH(sticky_restitution(0.5, -1.0, {9.81, 1.0, 0.0}, {}), Contains("dt"));
-  StickyOptions options;
-  options.threshold = -0.1;
+  StickyOptions options{.threshold = -0.1};
   CHECK_THROWS_WITH(sticky_restitution(0.5, -1.0, {}, options), Contains("threshold"));
 }

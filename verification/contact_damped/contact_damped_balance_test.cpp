@@ -1,10 +1,9 @@
 /// \file
 /// \brief Boxes at the limit of balance with contact_damped.
-#include "tumble/math/rotation.hpp"
 
 #include "contact_damped/helpers.hpp"
-#include "support/catch.hpp"
 #include "support/pose.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -77,8 +76,7 @@ TEST_CASE("A ladder on a smooth wall stands from cot = 2 mu + t/L on", "[exact][
   const double limit = std::atan(1.0 / (2.0 * 0.3 + 0.01)) / kDegree;
   for (const double off : {-0.5, 0.5}) {
     const double angle = (limit + off) * kDegree;
-    World world;
-    world.add_ground(0.3);
+    World world = ground_world(0.3);
     const BodyProperties wall = fixed_box_properties(Vec3(1.0, 4.0, 4.0), 0.0);
     world.add(wall, make_state(wall, Vec3(-0.5, 2.0, 0.0)), "wall");
     const BodyProperties ladder = box_properties(Vec3(2.0, 0.02, 0.5), 1.0, 0.3);

@@ -1,16 +1,9 @@
 /// \file
 /// \brief The default technique: bounces that follow each other within a step.
-#include "tumble/base/random.hpp"
-#include "tumble/scenes/simulation.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
 #include <tuple>
-#include <vector>
 
 using namespace tumble;
 
@@ -41,14 +34,14 @@ Scene row_of(const std::vector<InRow>& cubes) {
 // Speeds at a time by one impact after the other, and how far the time is from the nearest impact.
 struct RowAt {
   std::vector<double> speeds;
-  double apart = std::numeric_limits<double>::infinity();
+  double apart = kInfinity;
 };
 
 RowAt one_after_the_other(std::vector<InRow> cubes, double until) {
   RowAt at;
   double time = 0.0;
   for (;;) {
-    double next = std::numeric_limits<double>::infinity();
+    double next = kInfinity;
     std::size_t hit = 0;
     for (std::size_t k = 0; k + 1 < cubes.size(); ++k) {
       const double closing = cubes[k].speed - cubes[k + 1].speed;
@@ -154,8 +147,7 @@ TEST_CASE(
   for (const double gap : {1e-3, 1e-2}) {
     for (const double dt : {1.0 / 240.0, 1.0 / 120.0, 1.0 / 60.0, 1.0 / 30.0}) {
       CAPTURE(gap, dt);
-      Scene scene;
-      scene.ground = SceneGround{0.0, 1.0};
+      Scene scene{.ground = SceneGround{0.0, 1.0}};
       for (const auto& [name, y, mass] :
            {std::tuple{"heavy", 1.05, 1.0}, std::tuple{"light", 1.15 + gap, 0.1}})
         scene.boxes.push_back({.name = name,

@@ -4,8 +4,8 @@
 #include "tumble/dynamics/event_log.hpp"
 
 #include "contact_damped/helpers.hpp"
-#include "support/catch.hpp"
 #include "support/pose.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -30,15 +30,14 @@ TEST_CASE("No friction is too large for a box, a leaning plank or a see-saw",
     }
   }
   for (const double friction : {1e3, 1e6}) {
-    World world;
-    world.add_ground(friction, 0.0);
-    const BodyProperties box = box_properties(Vec3::Ones(), 1.0, friction, 0.0);
+    World world = ground_world(friction, 0.0);
     const Quat tilt = rotation_from_vector(Vec3(0.3, 0.2, 0.1));
-    world.add(box, make_state(box, Vec3(0.0, 1.2, 0.0), tilt, Vec3(1.0, -3.0, 0.5)));
+    world.add(box_properties(Vec3::Ones(), 1.0, friction, 0.0), Vec3(0.0, 1.2, 0.0), tilt,
+              Vec3(1.0, -3.0, 0.5));
     const std::unique_ptr<Technique> technique = contact_damped();
     const Course course = run(world, *technique, 3.0);
     CHECK(course.failed == 0);
-    CHECK(world.states()[1].position_w.y() == near(0.5).margin(1e-4));  // [m] on a face
+    CHECK(world.states()[1].position_w.y() == near(0.5, 1e-4));  // [m] on a face
   }
 }
 
@@ -66,12 +65,12 @@ TEST_CASE("A box that is replaced by an immovable one in its place disturbs no o
   run(world, *technique, 1.0);
   world.remove(world.ids()[10]);
   const BodyProperties fixed = fixed_box_properties(Vec3::Ones());
-  world.add(fixed, make_state(fixed, Vec3(0.0, 9.5, 0.0)));
+  world.add(fixed, Vec3(0.0, 9.5, 0.0));
   world.set_velocity(world.ids()[5], Vec3(0.02, 0.0, 0.01), Vec3(0.01, 0.0, 0.0));
   const Course course = run(world, *technique, 1.0);
   CHECK(course.failed == 0);
   for (int k = 1; k < 10; ++k)
-    CHECK(world.states()[static_cast<std::size_t>(k)].position_w.y() == near(k - 0.5).margin(1e-3));
+    CHECK(world.states()[static_cast<std::size_t>(k)].position_w.y() == near(k - 0.5, 1e-3));
 }
 
 TEST_CASE("A heavy box that drops on sleeping boxes meets bodies with their own masses",
@@ -82,10 +81,10 @@ TEST_CASE("A heavy box that drops on sleeping boxes meets bodies with their own 
   run(world, *technique, 3.0);
   REQUIRE(world.sleep_states()[3].asleep);
   const BodyProperties heavy = box_properties(Vec3::Ones(), 100.0);
-  world.add(heavy, make_state(heavy, Vec3(0.0, 3.7, 0.0)));
+  world.add(heavy, Vec3(0.0, 3.7, 0.0));
   const Course course = run(world, *technique, 1.0);
   CHECK(course.overlap < 1e-3);
-  CHECK(world.states()[4].position_w.y() == near(3.5).margin(1e-3));
+  CHECK(world.states()[4].position_w.y() == near(3.5, 1e-3));
 }
 
 TEST_CASE("A sleeping box into which an immovable one is put wakes and is pushed out",
@@ -96,9 +95,9 @@ TEST_CASE("A sleeping box into which an immovable one is put wakes and is pushed
   run(world, *technique, 3.0);
   REQUIRE(world.sleep_states()[1].asleep);
   const BodyProperties fixed = fixed_box_properties(Vec3::Ones());
-  world.add(fixed, make_state(fixed, Vec3(0.8, 0.5, 0.0)));
+  world.add(fixed, Vec3(0.8, 0.5, 0.0));
   run(world, *technique, 2.0);
-  CHECK(world.states()[1].position_w.x() == near(-0.2).margin(1e-3));
+  CHECK(world.states()[1].position_w.x() == near(-0.2, 1e-3));
 }
 
 TEST_CASE("With sleeping off no body stays asleep", "[unit][contact_damped]") {
@@ -110,20 +109,18 @@ TEST_CASE("With sleeping off no body stays asleep", "[unit][contact_damped]") {
   const std::unique_ptr<Technique> technique = contact_damped();
   const Course course = run(world, *technique, 2.0);
   CHECK(course.failed == 0);
-  CHECK(world.states()[4].position_w.y() == near(3.5).margin(1e-3));  // came down by one
+  CHECK(world.states()[4].position_w.y() == near(3.5, 1e-3));  // came down by one
 }
 
 TEST_CASE("A box that spins in the air touches what it can reach and nothing else",
           "[exact][contact_damped]") {
   BOTH_POSES;
   for (const double spin : {40.0, 100.0}) {
-    World world;
-    world.add_ground();
+    World world = ground_world();
     // Half a diagonal of a face is 0.7071 m.
-    world.add(kCube, make_state(kCube, Vec3(0.0, 0.72, 0.0), Quat::Identity(), Vec3::Zero(),
-                                Vec3(0.0, 0.0, spin)));
+    world.add(kCube, Vec3(0.0, 0.72, 0.0), Quat::Identity(), Vec3::Zero(), Vec3(0.0, 0.0, spin));
     contact_damped()->step(world, kFrame);
-    CHECK(velocity(kCube, world.states()[1]).y() == near(-kGravity * kFrame).margin(1e-12));
+    CHECK(velocity(kCube, world.states()[1]).y() == near(-kGravity * kFrame, 1e-12));
   }
 }
 
@@ -135,10 +132,8 @@ TEST_CASE("An event reports the whole impulse, with that of restitution",
     void on_event(const Event& event) override { sum += event.impulse_w; }
     Vec3 sum = Vec3::Zero();
   };
-  World world;
-  world.add_ground(0.5, 1.0);
-  const BodyProperties ball = box_properties(Vec3::Ones(), 2.0, 0.5, 1.0);
-  world.add(ball, make_state(ball, Vec3(0.0, 1.0, 0.0)));
+  World world = ground_world(0.5, 1.0);
+  world.add(box_properties(Vec3::Ones(), 2.0, 0.5, 1.0), Vec3(0.0, 1.0, 0.0));
   const std::unique_ptr<Technique> technique = contact_damped();
   ImpulseSum impulse;
   technique->observe(&impulse);

@@ -1,11 +1,10 @@
 /// \file
 /// \brief Invariances of a step of contact_damped, and that it never adds kinetic energy.
-#include "tumble/math/rotation.hpp"
 
 #include "contact_damped/helpers.hpp"
-#include "support/catch.hpp"
 #include "support/changed_world.hpp"
 #include "support/pose.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -30,8 +29,7 @@ const std::vector<Example> kExamples = {
 // Cubes that overlap and touch, in free space, with chance in their sizes, masses and velocities;
 // the first one cannot be moved.
 World clump_of_cubes(std::uint64_t seed) {
-  World world;
-  world.gravity_w = Vec3::Zero();
+  World world = weightless_world();
   for (std::uint64_t k = 0; k < 14; ++k) {
     Random chance = Random(seed).fork(k);
     const double edge = chance.uniform(0.5, 1.5);
@@ -39,29 +37,25 @@ World clump_of_cubes(std::uint64_t seed) {
     const Vec3 place = chance.in_cube(1.4);
     const Quat turn = chance.orientation();
     if (k == 0) {
-      const BodyProperties body = fixed_box_properties(Vec3::Constant(edge));
-      world.add(body, make_state(body, place, turn));
+      world.add(fixed_box_properties(Vec3::Constant(edge)), place, turn);
       continue;
     }
-    const BodyProperties body = box_properties(Vec3::Constant(edge), mass);
     const Vec3 push = chance.in_cube(2.0);
     const Vec3 spin = chance.in_cube(4.0);
-    world.add(body, make_state(body, place, turn, push, spin));
+    world.add(box_properties(Vec3::Constant(edge), mass), place, turn, push, spin);
   }
   return world;
 }
 
 // Cubes in a row of pairs that touch face to face, each with its own velocity.
 World touching_row(std::uint64_t seed) {
-  World world;
-  world.gravity_w = Vec3::Zero();
+  World world = weightless_world();
   for (int k = 0; k < 8; ++k) {
     Random chance = Random(seed).fork(static_cast<std::uint64_t>(k));
-    const BodyProperties body = box_properties(Vec3::Ones(), chance.uniform(0.1, 10.0));
     const Vec3 push = chance.in_cube(2.0);
     const Vec3 spin = chance.in_cube(2.0);
-    world.add(body, make_state(body, Vec3(k % 4, 0.25 * (k % 2) + 1.0 * (k / 4), 0.0),
-                               Quat::Identity(), push, spin));
+    world.add(box_properties(Vec3::Ones(), chance.uniform(0.1, 10.0)),
+              Vec3(k % 4, 0.25 * (k % 2) + 1.0 * (k / 4), 0.0), Quat::Identity(), push, spin);
   }
   return world;
 }
@@ -210,8 +204,7 @@ TEST_CASE("The order of the bodies does not decide whether a pile stands",
   // Sweeps go through contacts in an order, so that the residual differs with it.
   for (std::size_t example = 0; example < 2; ++example) {
     World world = world_of(kExamples[example].scene, kExamples[example].settings);
-    World reversed;
-    reversed.add_ground(world.bodies()[0].friction, world.bodies()[0].restitution);
+    World reversed = ground_world(world.bodies()[0].friction, world.bodies()[0].restitution);
     const std::size_t count = world.bodies().size();
     for (std::size_t k = count - 1; k > 0; --k)
       reversed.add(world.bodies()[k], world.states()[k], world.name(static_cast<int>(k)));

@@ -1,11 +1,9 @@
 /// \file
 /// \brief Sliding, tipping and bouncing with contact_damped, against statics and Coulomb's law.
-#include "tumble/math/rotation.hpp"
-#include "tumble/scenes/simulation.hpp"
 
 #include "contact_damped/helpers.hpp"
-#include "support/catch.hpp"
 #include "support/pose.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -188,8 +186,7 @@ TEST_CASE("A stack on a sled moves along with it, the upper box too", "[exact][c
 TEST_CASE("A cube with restitution a half rises to a quarter of its height after each bounce",
           "[exact][contact_damped]") {
   BOTH_POSES;
-  World world;
-  world.add_ground(0.0, 0.5);
+  World world = ground_world(0.0, 0.5);
   const BodyProperties body = box_properties(Vec3::Ones(), 1.0, 0.0, 0.5);
   world.add(body, make_state(body, Vec3(0.0, 2.5, 0.0)), "cube");
   const std::unique_ptr<Technique> technique = contact_damped();
@@ -220,7 +217,7 @@ TEST_CASE("A cube with restitution a half rises to a quarter of its height after
   CHECK(std::abs(energy_of(world).total() - energy - booked) < 1e-3 * kGravity);
   run(world, *technique, 3.0, dt);
   CHECK(fastest_of(world) < 1e-6);
-  CHECK(world.body("cube").state().position_w.y() == near(0.5).margin(1e-4));
+  CHECK(world.body("cube").state().position_w.y() == near(0.5, 1e-4));
 }
 
 TEST_CASE(
@@ -229,8 +226,7 @@ TEST_CASE(
   BOTH_POSES;
   for (const double height : {0.7, 1.0, 1.3, 2.0}) {
     for (const double dt : {kFrame, kFrame / 16.0}) {
-      World world;
-      world.add_ground(0.0, 1.0);
+      World world = ground_world(0.0, 1.0);
       const BodyProperties body = box_properties(Vec3::Ones(), 1.0, 0.0, 1.0);
       world.add(body, make_state(body, Vec3(0.0, 0.5 + height, 0.0)), "cube");
       const double energy = energy_of(world).total();

@@ -1,14 +1,8 @@
 /// \file
 /// \brief The default technique where a large island comes to rest: it does, and then a step costs a sweep.
-#include "tumble/base/random.hpp"
-#include "tumble/scenes/library.hpp"
-#include "tumble/scenes/simulation.hpp"
 
 #include "contact_damped/helpers.hpp"
-#include "support/catch.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "support/test.hpp"
 
 namespace {
 
@@ -18,8 +12,7 @@ using namespace tumble;
 Scene crossed_floor(std::uint64_t seed) {
   constexpr double kEdge = 0.14;
   Random random(seed);
-  Scene scene;
-  scene.ground = SceneGround{0.6, 0.0};
+  Scene scene{.ground = SceneGround{0.6, 0.0}};
   for (int i = 0; i < 14; ++i)
     for (int k = 0; k < 9; ++k)
       scene.boxes.push_back({.name = "tile" + std::to_string(i) + "_" + std::to_string(k),
@@ -72,8 +65,7 @@ TEST_CASE("Loose tiles of unlike masses come to rest after a sled has crossed th
 TEST_CASE("A deck of cards stands whose cards are thinner than what gravity moves in a step",
           "[unit][contact_damped]") {
   // Two sweeps throw cards at rest about by half of their thickness: Newton steps have to follow all the same.
-  Scene scene;
-  scene.ground = SceneGround{};
+  Scene scene{.ground = SceneGround{}};
   const Vec3 size(0.09, 0.0003, 0.06);
   for (int k = 0; k < 52; ++k)
     scene.boxes.push_back({.name = "card" + std::to_string(k),
@@ -90,12 +82,9 @@ TEST_CASE("A deck of cards stands whose cards are thinner than what gravity move
 
 TEST_CASE("A heap of a thousand cubes comes to rest, and a step of it costs a sweep then",
           "[.long][unit][contact_damped]") {
-  const SceneRecipe& recipe = scene_recipe("clump");
-  Parameters p = recipe.parameters();
-  p.set("per_edge", "10");
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     CAPTURE(seed);
-    Simulation simulation(recipe.build(p, Random(seed)));
+    Simulation simulation(make_scene("clump", {"per_edge=10"}, seed));
     simulation.run_for(25.0);
     CHECK(test::fastest_of(simulation.world()) < 1e-5);
     simulation.run_for(20.0);  // sweeps that change nothing any more

@@ -1,11 +1,10 @@
 /// \file
 /// \brief Housner's rocking block with contact_damped, and the rocking block of Siconos' examples.
-#include "tumble/math/rotation.hpp"
 
 #include "contact_damped/helpers.hpp"
-#include "support/catch.hpp"
 #include "support/pose.hpp"
 #include "support/shared_data.hpp"
+#include "support/test.hpp"
 
 #include <fstream>
 
@@ -186,8 +185,7 @@ TEST_CASE("A block that bounces on its corners does what Siconos' event-driven r
   const std::vector<double>& first = table[impacts[0]];
   const std::vector<double>& second = table[impacts[1]];
 
-  World world;
-  world.add_ground(0.0, 0.8);
+  World world = ground_world(0.0, 0.8);
   BodyProperties block = box_properties(Vec3(0.2, 0.1, 1.0), 1.0, 0.0, 0.8);
   block.inertia_b.z() = (1.0 + 0.25) / 12.0;
   block.inverse_inertia_b.z() = 1.0 / block.inertia_b.z();

@@ -2,8 +2,8 @@
 /// \brief Structures stand: with contact_damped, friction 0.5, no restitution, 60 steps a second
 ///        and no body asleep.
 #include "contact_damped/helpers.hpp"
-#include "support/catch.hpp"
 #include "support/pose.hpp"
+#include "support/test.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "contact_damped/helpers.hpp"
 #include "support/allocation_counter.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;

@@ -89,8 +89,7 @@ inline std::array<double, kTossColumns> toss_row_of(const std::string& line,
 
 inline MeasuredToss read_toss(const std::filesystem::path& file) {
   std::ifstream in(file);
-  MeasuredToss toss;
-  toss.name = file.stem().string();
+  MeasuredToss toss{.name = file.stem().string()};
   std::string line;
   std::getline(in, line);  // names of the columns
   while (std::getline(in, line)) toss.samples.push_back(y_up(toss_row_of(line, file.string())));
@@ -129,7 +128,7 @@ inline std::vector<MeasuredToss> read_tosses(const std::filesystem::path& folder
     if (entry.path().extension() == ".csv" && entry.path().filename().string().starts_with("toss_"))
       files.push_back(entry.path());
   if (files.empty()) throw std::runtime_error(folder.string() + ": has no file toss_*.csv");
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   std::vector<MeasuredToss> tosses;
   for (const std::filesystem::path& file : files) tosses.push_back(read_toss(file));
   return tosses;
@@ -218,8 +217,8 @@ inline void add(const TossOutcome& outcome, TossNumbers& numbers) {
 // up to x.
 // Returns [-] 0 to 1
 inline double distribution_distance(std::vector<double> first, std::vector<double> second) {
-  std::sort(first.begin(), first.end());
-  std::sort(second.begin(), second.end());
+  std::ranges::sort(first);
+  std::ranges::sort(second);
   double worst = 0.0;
   const auto share = [](const std::vector<double>& numbers, double x) {
     const auto up_to = std::upper_bound(numbers.begin(), numbers.end(), x) - numbers.begin();

@@ -4,23 +4,19 @@
 
 #include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
-#include "tumble/math/rotation.hpp"
 
 #include "contact_damped/helpers.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
 
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;
-
 ManifoldsFound find(PersistentManifolds& manifolds, const World& world,
                     double impulse_ratio = 1.0) {
-  std::vector<MovingBody> bodies;
-  load_moving_bodies(world, bodies);
-  return manifolds.find(world, bodies, all_pairs(world), kStep, impulse_ratio);
+  std::vector<MovingBody> bodies = moving_bodies(world);
+  return manifolds.find(world, bodies, all_pairs(world), kFrame, impulse_ratio);
 }
 
 // Impulses of a box of 1 kg that leans to one side and is braked.
@@ -74,16 +70,12 @@ TEST_CASE("Gaps of a kept patch follow the small motion of its bodies", "[exact]
   find(manifolds, world);
   REQUIRE(manifolds.patches()[1].stamp == stamp);
   const ContactPatch& patch = manifolds.patches()[1];
-  const MovingBody lower = [&] {
-    MovingBody body;
-    body.position_w = world.states()[1].position_w;
-    return body;
-  }();
+  const MovingBody lower = [&] { return MovingBody{.position_w = world.states()[1].position_w}; }();
   for (int i = 0; i < patch.count; ++i) {
     const ContactPatchPoint& p = patch.points[static_cast<std::size_t>(i)];
     const Vec3 at = position_of(patch, lower, p);
     // [m] omega x r along the vertical: omega_z x - omega_x z.
-    CHECK(p.gap == near(2e-7 + 6e-7 * at.x() - 4e-7 * at.z()).margin(1e-13));
+    CHECK(p.gap == near(2e-7 + 6e-7 * at.x() - 4e-7 * at.z(), 1e-13));
   }
 }
 
@@ -151,17 +143,15 @@ TEST_CASE(
     "target",
     "[unit][contact_damped]") {
   for (const double speed : {5.9, 6.1}) {
-    World world;
-    world.add_ground();
-    const BodyProperties body = box_properties(Vec3::Ones(), 1.0);
-    world.add(body,
-              make_state(body, Vec3(0.0, 0.601, 0.0), Quat::Identity(), Vec3(0.0, -speed, 0.0)));
+    World world = ground_world();
+    world.add(box_properties(Vec3::Ones(), 1.0), Vec3(0.0, 0.601, 0.0), Quat::Identity(),
+              Vec3(0.0, -speed, 0.0));
     PersistentManifolds manifolds;
     find(manifolds, world);
     // 0.101 m less a margin of 0.001 m in a sixtieth of a second are 6 m/s.
     CHECK(manifolds.patches().size() == (speed > 6.0 ? 1 : 0));
     if (speed > 6.0)
       CHECK(manifolds.patches()[0].points[0].target ==
-            near(-(0.101 - tolerance::contact_slop) / kStep).margin(1e-10));
+            near(-(0.101 - tolerance::contact_slop) / kFrame, 1e-10));
   }
 }

@@ -1,11 +1,10 @@
 /// \file
 /// \brief The layers together: the same bits on every build, and no memory asked for when warm.
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/snapshot.hpp"
 
 #include "support/allocation_counter.hpp"
-#include "support/catch.hpp"
 #include "support/layer_stepper.hpp"
+#include "support/test.hpp"
 
 namespace {
 

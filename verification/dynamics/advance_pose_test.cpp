@@ -2,10 +2,8 @@
 /// \brief Free rotation by four rules: exact motions, symmetries, energy, and bounds.
 #include "tumble/dynamics/advance_pose.hpp"
 
-#include "tumble/math/rotation.hpp"
-
 #include "dynamics/random_bodies.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 
@@ -235,8 +233,7 @@ TEST_CASE("A body without spin keeps its orientation to the last bit", "[unit][a
 TEST_CASE("A momentum that is not finite is refused by every rule", "[unit][advance_pose]") {
   const BodyProperties body = asymmetric();
   for (const RotationRule rule : rotation_rules()) {
-    for (const double bad :
-         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (const double bad : {kNan, kInfinity}) {
       BodyState state;
       state.angular_momentum_w.y() = bad;
       CHECK_THROWS_AS(advance_pose(body, state, 0.1, rule), std::invalid_argument);

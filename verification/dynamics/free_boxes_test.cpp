@@ -1,10 +1,9 @@
 /// \file
 /// \brief A box in free flight against four engines' published errors (Peters and Hsu 2014).
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/integrate.hpp"
 
-#include "support/catch.hpp"
 #include "support/shared_data.hpp"
+#include "support/test.hpp"
 
 #include <fstream>
 

@@ -1,20 +1,16 @@
 /// \file
 /// \brief Flights and searches give the same bits with every compiler and at every optimisation.
 #include "tumble/dynamics/event_search.hpp"
-#include "tumble/dynamics/world.hpp"
 
 #include "dynamics/random_bodies.hpp"
-#include "support/catch.hpp"
-
-#include <vector>
+#include "support/test.hpp"
 
 using namespace tumble;
 
 TEST_CASE("Twenty tumbling boxes and their first collisions have the hashes of every other machine",
           "[determinism][golden][integrate]") {
   Random random(71);
-  World world;
-  world.add_ground();
+  World world = test::ground_world();
   for (int i = 1; i < 20; ++i) {
     const BodyProperties body = random_box(random);
     world.add(body, random_state(random, body, 4.0, 5.0, 10.0));
@@ -35,12 +31,8 @@ TEST_CASE("Twenty tumbling boxes and their first collisions have the hashes of e
   StateHash hash;
   EventSearch search;
   for (const SearchMethod method : {SearchMethod::discrete, SearchMethod::conservative}) {
-    Flight flight;
-    flight.bodies = start.bodies();
-    flight.states = start.states();
-    SearchOptions options;
-    options.method = method;
-    const FirstEvent& event = search.find(flight, pairs, 0.0, 0.25, options);
+    const FirstEvent& event = search.find({.bodies = start.bodies(), .states = start.states()},
+                                          pairs, 0.0, 0.25, {.method = method});
     CHECK(event.status == CollisionStatus::found);
     hash.add(event.time);
     for (const IndexPair& pair : event.touching) {

@@ -2,11 +2,8 @@
 /// \brief Free fall by three integrators, energy and momenta.
 #include "tumble/dynamics/integrate.hpp"
 
-#include "tumble/dynamics/energy.hpp"
-#include "tumble/math/rotation.hpp"
-
 #include "dynamics/random_bodies.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 
@@ -116,7 +113,7 @@ TEST_CASE("Micro-steps refuse a length that is not above 0 or would take for eve
   };
   CHECK_THROWS_WITH(with(0.0), "tumble: micro_step = 0: expected a number above 0");
   CHECK_THROWS_AS(with(-1.0), std::invalid_argument);
-  CHECK_THROWS_AS(with(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+  CHECK_THROWS_AS(with(kNan), std::invalid_argument);
   CHECK_THROWS_WITH(with(1e-9),
                     "tumble: micro_step = 1e-09: expected at least a millionth of dt = 1");
 }
@@ -126,8 +123,7 @@ TEST_CASE(
     "centre of mass",
     "[exact][energy]") {
   Random random(34);
-  World world;
-  world.add_ground();
+  World world = test::ground_world();
   world.add(fixed_box_properties(Vec3::Ones()), BodyState{});
   double mass = 0.0;
   for (int i = 0; i < 5; ++i) {
@@ -157,13 +153,11 @@ TEST_CASE(
 
 TEST_CASE("Potential energy is m g times the height, and immovable bodies have none",
           "[unit][energy]") {
-  World world;
-  world.add_ground();
-  world.add(fixed_box_properties(Vec3::Ones()),
-            make_state(fixed_box_properties(Vec3::Ones()), Vec3(0.0, 5.0, 0.0)));
+  World world = test::ground_world();
+  world.add(fixed_box_properties(Vec3::Ones()), Vec3(0.0, 5.0, 0.0));
   CHECK(energy_of(world).total() == 0.0);
-  const BodyProperties body = box_properties(Vec3::Ones(), 2.0);
-  world.add(body, make_state(body, Vec3(1.0, 3.0, 1.0), Quat::Identity(), Vec3(2.0, 0.0, 0.0)));
+  world.add(box_properties(Vec3::Ones(), 2.0), Vec3(1.0, 3.0, 1.0), Quat::Identity(),
+            Vec3(2.0, 0.0, 0.0));
   CHECK(energy_of(world).potential == near(2.0 * 9.81 * 3.0).epsilon(1e-15));
   CHECK(energy_of(world).kinetic == 4.0);
   CHECK(linear_momentum(world) == Vec3(4.0, 0.0, 0.0));

@@ -2,10 +2,9 @@
 /// \brief Bodies that are said to stay apart do so, and searches built on that are short.
 #include "tumble/dynamics/safe_flight.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/dynamics/pair_search.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 

@@ -5,7 +5,7 @@
 #include "tumble/dynamics/integrate.hpp"
 #include "tumble/dynamics/snapshot.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 
@@ -27,9 +27,7 @@ class Drift : public Technique {
     }
     world.finish_step(dt);
     if (observer() != nullptr) {
-      Event event;
-      event.time = world.time();
-      observer()->on_event(event);
+      observer()->on_event({.time = world.time()});
       observer()->on_step(world, report);
     }
     return report;
@@ -46,8 +44,7 @@ World two_boxes() {
   World world;
   const BodyProperties box = box_properties(Vec3(1.0, 2.0, 3.0), 1.0);
   for (int i = 0; i < 2; ++i)
-    world.add(box, make_state(box, Vec3(4.0 * i, 5.0, 0.0), Quat::Identity(), Vec3::Zero(),
-                              Vec3(1.0, 2.0, 3.0)));
+    world.add(box, Vec3(4.0 * i, 5.0, 0.0), Quat::Identity(), Vec3::Zero(), Vec3(1.0, 2.0, 3.0));
   return world;
 }
 
@@ -81,8 +78,7 @@ TEST_CASE("A body is found in the frames that have it, and only there", "[unit][
   world.remove(first);
   world.finish_step(0.5);
   trajectory.record(world);
-  const BodyProperties box = box_properties(Vec3::Ones(), 1.0);
-  const BodyId third = world.add(box, make_state(box, Vec3(9.0, 0.0, 0.0)));
+  const BodyId third = world.add(box_properties(Vec3::Ones(), 1.0), Vec3(9.0, 0.0, 0.0));
   world.finish_step(0.5);
   trajectory.record(world);
 

@@ -11,28 +11,20 @@
 #include "support/scenes.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tumble::test {
 
 // Options of the technique.
 inline GluedOptions way(GluedScheme scheme, PoseUpdate pose = PoseUpdate::separate) {
-  GluedOptions options;
-  options.scheme = scheme;
-  options.pose = pose;
-  return options;
+  return GluedOptions{.scheme = scheme, .pose = pose};
 }
 
 // Options of the technique with joints that push and do not pull.
 inline GluedOptions pressing(GluedScheme scheme, GluedEvents events = GluedEvents::located) {
-  GluedOptions options;
-  options.scheme = scheme;
-  options.joints = GluedJoints::unilateral;
-  options.events = events;
-  options.accuracy = 1e-12;
+  GluedOptions options{
+      .scheme = scheme, .joints = GluedJoints::unilateral, .events = events, .accuracy = 1e-12};
   return options;
 }
 
@@ -60,8 +52,7 @@ inline bool same_states(const World& one, const World& other) {
 inline std::vector<GluedOptions> all_ways() {
   std::vector<GluedOptions> ways;
   for (const GluedScheme scheme : glued_schemes()) {
-    GluedOptions options;
-    options.scheme = scheme;
+    GluedOptions options{.scheme = scheme};
     ways.push_back(options);
     if (scheme == GluedScheme::rk4 || scheme == GluedScheme::dormand_prince ||
         scheme == GluedScheme::midpoint)
@@ -84,8 +75,7 @@ inline World flying_group(const Vec3& gravity_w) {
   world.gravity_w = gravity_w;
   const Vec3 spin_w(1.0, -2.0, 1.5);
   const auto put = [&](const Vec3& size, double mass, const Vec3& place_w) {
-    const BodyProperties body = box_properties(size, mass);
-    world.add(body, make_state(body, place_w, Quat::Identity(), spin_w.cross(place_w), spin_w));
+    world.add(box_properties(size, mass), place_w, Quat::Identity(), spin_w.cross(place_w), spin_w);
   };
   put(Vec3(1.0, 1.0, 1.0), 1.0, Vec3(0.0, 0.0, 0.0));
   put(Vec3(2.0, 0.5, 1.0), 3.0, Vec3(0.5, 0.75, 0.0));

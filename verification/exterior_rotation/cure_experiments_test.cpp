@@ -3,7 +3,7 @@
 #include "driver/quick.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/glued_runs.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -19,19 +19,18 @@ TEST_CASE("One force and one torque carry each box of a falling column round its
           "an edge") < 1e-12);  // [-] measured 4e-15
   CHECK(figure.number("the same in any direction, not only along the normal") < 1e-12);  // [m]
   CHECK(figure.number("largest gap or overlap, centre and orientation apart") ==
-        near(5.337e-3).margin(5e-7));  // [m] evaluated apart from this code
+        near(5.337e-3, 5e-7));  // [m] evaluated apart from this code
 }
 
 TEST_CASE("One twist for each body leaves the error of the column's angle as large as it was",
           "[reference][exterior_rotation]") {
   const FigureUnderTest figure("claim_6_2d_one_twist");
   // [rad] evaluated apart from this code, five digits.
-  CHECK(figure.number("error of the angle, forward Euler, apart") == near(-2.8388e-2).margin(5e-7));
-  CHECK(figure.number("error of the angle, semi-implicit Euler, apart") ==
-        near(1.1521e-2).margin(5e-7));
-  CHECK(figure.number("error of the angle, impulses, apart") == near(1.1431e-2).margin(5e-7));
-  CHECK(figure.number("error of the angle, impulses, one twist") == near(1.2980e-2).margin(5e-7));
-  CHECK(figure.number("error of the angle, leapfrog, one twist") == near(-6.6931e-5).margin(5e-10));
+  CHECK(figure.number("error of the angle, forward Euler, apart") == near(-2.8388e-2, 5e-7));
+  CHECK(figure.number("error of the angle, semi-implicit Euler, apart") == near(1.1521e-2, 5e-7));
+  CHECK(figure.number("error of the angle, impulses, apart") == near(1.1431e-2, 5e-7));
+  CHECK(figure.number("error of the angle, impulses, one twist") == near(1.2980e-2, 5e-7));
+  CHECK(figure.number("error of the angle, leapfrog, one twist") == near(-6.6931e-5, 5e-10));
   for (const char* scheme : {"forward Euler", "semi-implicit Euler", "impulses", "leapfrog"}) {
     const std::string name = std::string("error of the angle, ") + scheme;
     const double ratio = figure.number(name + ", one twist") / figure.number(name + ", apart");
@@ -63,10 +62,8 @@ TEST_CASE("The centre of a group in flight goes straight, whatever scheme turns 
   for (const GluedScheme scheme : {GluedScheme::forward_euler, GluedScheme::semi_implicit,
                                    GluedScheme::impulse, GluedScheme::leapfrog})
     for (const int rate : {5, 60}) {
-      GluedOptions options;
-      options.scheme = scheme;
-      options.pose = PoseUpdate::exponential;
-      const GluedRun run = run_glued(start, options, 1.0 / rate, rate);
+      const GluedRun run =
+          run_glued(start, {.scheme = scheme, .pose = PoseUpdate::exponential}, 1.0 / rate, rate);
       const GroupMotion after = motion_of(run.world);
       INFO(name_of(scheme) << " at " << rate);
       CHECK((after.centre_w - before.centre_w - before.momentum_w / before.mass).norm() < 1e-12);
@@ -95,10 +92,9 @@ TEST_CASE(
   const FigureUnderTest figure("claim_6_2c_one_pivot");
   const double predicted = figure.number("half h² |Δω| |v_p|");
   // 3 rad/s, and 1.5 rad/s with a lever of 1.25 m; 60 steps a second.
-  CHECK(predicted == near(0.5 * 3.0 * 1.5 * 1.25 / 3600.0).margin(1e-15));
+  CHECK(predicted == near(0.5 * 3.0 * 1.5 * 1.25 / 3600.0, 1e-15));
   CHECK(figure.number("what one twist for each body leaves") ==
-        near(predicted).margin(1e-4 * predicted));  // [m] the next order is 5e-5 of it
-  CHECK(figure.number("order of the mismatch in the step, one twist each") ==
-        near(2.0).margin(0.001));
+        near(predicted, 1e-4 * predicted));  // [m] the next order is 5e-5 of it
+  CHECK(figure.number("order of the mismatch in the step, one twist each") == near(2.0, 0.001));
   CHECK(figure.number("largest error of the prediction in the shortest step, over it") < 1e-5);
 }

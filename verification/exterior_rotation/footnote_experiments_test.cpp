@@ -5,7 +5,7 @@
 
 #include "driver/quick.hpp"
 #include "exterior_rotation/geometric_contacts.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -16,10 +16,9 @@ namespace {
 World cube_above(double gap, double angle = 0.0) {
   World world;
   const BodyProperties base = fixed_box_properties(Vec3::Ones());
-  world.add(base, make_state(base, Vec3::Zero()));
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
+  world.add(base, Vec3::Zero());
   const Quat turned(std::cos(0.5 * angle), 0.0, 0.0, std::sin(0.5 * angle));
-  world.add(cube, make_state(cube, Vec3(0.0, 1.0 + gap, 0.0), turned));
+  world.add(box_properties(Vec3::Ones(), 1.0), Vec3(0.0, 1.0 + gap, 0.0), turned);
   return world;
 }
 
@@ -177,10 +176,10 @@ TEST_CASE("With glue what touches holds against a pull, and without it does not"
 
 TEST_CASE("Tolerances and steps of geometric contacts out of range are refused",
           "[unit][exterior_rotation]") {
-  for (const double tolerance : {0.0, -1e-6, std::nan("")})
+  for (const double tolerance : {0.0, -1e-6, kNan})
     CHECK_THROWS_AS(GeometricContacts(contact_schemes()[0], tolerance), std::invalid_argument);
   World world = cube_above(0.0);
   GeometricContacts contacts(contact_schemes()[0], 1e-6);
-  for (const double dt : {0.0, -1.0, std::nan("")})
+  for (const double dt : {0.0, -1.0, kNan})
     CHECK_THROWS_AS(contacts.advance(world, dt), std::invalid_argument);
 }

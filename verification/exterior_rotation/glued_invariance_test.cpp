@@ -1,9 +1,8 @@
 /// \file
 /// \brief Invariance of glued steps under displacement, motion, units, reflection and order.
-#include "tumble/math/rotation.hpp"
 
 #include "exterior_rotation/cases.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -105,7 +104,7 @@ TEST_CASE("The order in which bodies that stick are added does not matter",
       }
       const World one = stepped(world, options, 60);
       World other = stepped(backwards, options, 60);
-      std::reverse(other.states().begin(), other.states().end());
+      std::ranges::reverse(other.states());
       CHECK(apart(one, other) < 1e-11);  // [m, -] rounding of 60 steps
     }
 }

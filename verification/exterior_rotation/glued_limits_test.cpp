@@ -1,12 +1,9 @@
 /// \file
 /// \brief The technique for bodies that stick: refusals, and worlds at its limits.
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/exterior_rotation/glued.hpp"
-#include "tumble/math/rotation.hpp"
-#include "tumble/techniques.hpp"
 
 #include "exterior_rotation/cases.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -14,12 +11,11 @@ using namespace tumble;
 using namespace tumble::test;
 
 World glued_pair(double spin) {
-  World world;
-  world.gravity_w = Vec3::Zero();
+  World world = weightless_world();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
   const Vec3 spin_w(0.0, 0.0, spin);
   for (const Vec3& place_w : {Vec3(-0.5, 0.0, 0.0), Vec3(0.5, 0.0, 0.0)})
-    world.add(cube, make_state(cube, place_w, Quat::Identity(), spin_w.cross(place_w), spin_w));
+    world.add(cube, place_w, Quat::Identity(), spin_w.cross(place_w), spin_w);
   return world;
 }
 
@@ -27,31 +23,28 @@ World glued_pair(double spin) {
 
 TEST_CASE("Wrong options of the glued technique are refused with the right ones",
           "[unit][exterior_rotation]") {
-  for (const double accuracy : {0.0, 1e-15, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
-    GluedOptions options;
-    options.accuracy = accuracy;
-    CHECK_THROWS_WITH(Glued(options), Catch::Contains("accuracy"));
+  for (const double accuracy : {0.0, 1e-15, 2.0, kNan}) {
+    CHECK_THROWS_WITH(Glued({.accuracy = accuracy}), Contains("accuracy"));
   }
   for (const GluedScheme scheme :
        {GluedScheme::rk4, GluedScheme::dormand_prince, GluedScheme::midpoint})
     CHECK_THROWS_WITH(Glued(way(scheme, PoseUpdate::exponential)),
-                      Catch::Contains("pose = exponential") &&
-                          Catch::Contains(std::string(name_of(scheme))) &&
-                          Catch::Contains("leapfrog"));
+                      Contains("pose = exponential") && Contains(std::string(name_of(scheme))) &&
+                          Contains("leapfrog"));
   const TechniqueRecipe& recipe = technique_recipe("glued");
   Parameters p = recipe.options();
-  CHECK_THROWS_WITH(p.set("scheme", "euler"), Catch::Contains("forward_euler"));
-  CHECK_THROWS_WITH(p.set("joints", "loose"), Catch::Contains("unilateral"));
+  CHECK_THROWS_WITH(p.set("scheme", "euler"), Contains("forward_euler"));
+  CHECK_THROWS_WITH(p.set("joints", "loose"), Contains("unilateral"));
   CHECK_THROWS_AS(p.set("accuracy", "0"), std::invalid_argument);
   p.set("pose", "exponential");
-  CHECK_THROWS_WITH(recipe.make(p, 1), Catch::Contains("rk4"));
+  CHECK_THROWS_WITH(recipe.make(p, 1), Contains("rk4"));
   p.set("scheme", "leapfrog");
   CHECK(recipe.make(p, 1)->name() == "glued");
 
   World world = world_of("fig6_2");
   Glued technique;
-  for (const double dt : {0.0, -1.0, std::numeric_limits<double>::infinity()})
-    CHECK_THROWS_WITH(technique.step(world, dt), Catch::Contains("dt"));
+  for (const double dt : {0.0, -1.0, kInfinity})
+    CHECK_THROWS_WITH(technique.step(world, dt), Contains("dt"));
 }
 
 TEST_CASE("Bodies without weight and without a push stay in every joint that only presses",
@@ -88,7 +81,7 @@ TEST_CASE("Excessive velocities end a step of the glued technique with a reason"
   // NaN, set by way of no check.
   for (const GluedOptions& options : all_ways()) {
     World world = glued_pair(1.0);
-    world.states()[0].linear_momentum_w.x() = std::numeric_limits<double>::quiet_NaN();
+    world.states()[0].linear_momentum_w.x() = kNan;
     Glued technique(options);
     bool told = false;
     try {
@@ -106,13 +99,12 @@ TEST_CASE(
     "A body that turns more than once in a step is refused by fixed steps and followed by others",
     "[unit][exterior_rotation]") {
   World world;
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
   const Vec3 spin_w(0.0, 0.0, 500.0);
-  world.add(cube, make_state(cube, Vec3::Zero(), Quat::Identity(), Vec3::Zero(), spin_w));
+  world.add(box_properties(Vec3::Ones(), 1.0), Vec3::Zero(), Quat::Identity(), Vec3::Zero(),
+            spin_w);
   const World start = world;
   Glued fixed(way(GluedScheme::rk4));
-  CHECK_THROWS_WITH(fixed.step(world, kFrame),
-                    Catch::Contains("dt = ") && Catch::Contains("full turn"));
+  CHECK_THROWS_WITH(fixed.step(world, kFrame), Contains("dt = ") && Contains("full turn"));
   CHECK(same_states(world, start));
   Glued free(way(GluedScheme::dormand_prince));
   free.step(world, kFrame);
@@ -125,18 +117,16 @@ TEST_CASE(
     "[unit][exterior_rotation]") {
   World world;
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  for (int k = 0; k < 2; ++k) world.add(cube, make_state(cube, Vec3(k, 0.0, 0.0)));
+  for (int k = 0; k < 2; ++k) world.add(cube, Vec3(k, 0.0, 0.0));
   Joint joint;  // a point, held more than two hundred times
   joint.second = 1;
   joint.count = 1;
   joint.hold = JointHold::corner;
   std::vector<Joint> joints(202, joint);
-  std::vector<MovingBody> moving;
-  load_moving_bodies(world, moving);
+  std::vector<MovingBody> moving = moving_bodies(world);
   std::vector<Wrench> rates;
   CHECK_THROWS_WITH(JointForces().hold(world, moving, joints, rates),
-                    Catch::Contains("603 rows") && Catch::Contains("600 at most") &&
-                        Catch::Contains("leave out"));
+                    Contains("603 rows") && Contains("600 at most") && Contains("leave out"));
   joints.pop_back();
   CHECK_NOTHROW(JointForces().hold(world, moving, joints, rates));
 }

@@ -2,12 +2,8 @@
 /// \brief The technique for bodies that stick: memory, changes between steps, reports.
 #include "tumble/exterior_rotation/glued.hpp"
 
-#include "tumble/dynamics/energy.hpp"
-#include "tumble/math/rotation.hpp"
-#include "tumble/techniques.hpp"
-
 #include "exterior_rotation/cases.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -15,9 +11,7 @@ using namespace tumble::test;
 TEST_CASE("Finding the joints before the first step changes nothing", "[unit][exterior_rotation]") {
   for (const char* spin : {"0", "2"})
     for (const GluedEvents events : {GluedEvents::located, GluedEvents::step_end}) {
-      GluedOptions options;
-      options.joints = GluedJoints::unilateral;
-      options.events = events;
+      GluedOptions options{.joints = GluedJoints::unilateral, .events = events};
       World one = world_of("fig6_1", {{"angle", "0.9"}, {"spin", spin}});
       World other = one;
       Glued late(options);
@@ -42,8 +36,7 @@ TEST_CASE("Bodies that come and go between steps leave the others glued",
   run(world, technique, 30);
   run(alone, undisturbed, 30);
   CHECK(gap_of(technique.joints(), world.states()).apart > 1e-4);
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  const BodyId guest = world.add(cube, make_state(cube, Vec3(-2.0, 2.5, 0.0)));
+  const BodyId guest = world.add(box_properties(Vec3::Ones(), 1.0), Vec3(-2.0, 2.5, 0.0));
   run(world, technique, 5);
   run(alone, undisturbed, 5);
   CHECK(technique.joints().size() == 5);
@@ -87,9 +80,9 @@ TEST_CASE("The glued technique reports the pivot's force and the centre of press
     const ContactRecord& contact = technique.contacts()[k + 1];
     const BodyState& lower = world.states()[k + 2];
     const Vec3 point_b = lower.orientation_wb.conjugate() * (contact.point_w - lower.position_w);
-    CHECK(0.5 - point_b.x() == near(centres[k]).margin(1e-8));  // [m] from the pivot's side
-    CHECK(point_b.y() == near(0.5).margin(1e-12));
-    CHECK(point_b.z() == near(0.0).margin(1e-12));
+    CHECK(0.5 - point_b.x() == near(centres[k], 1e-8));  // [m] from the pivot's side
+    CHECK(point_b.y() == near(0.5, 1e-12));
+    CHECK(point_b.z() == near(0.0, 1e-12));
   }
   CHECK(technique.ignores(world) ==
         std::vector<std::string>{"collisions", "contacts other than those at the start",
@@ -154,7 +147,7 @@ TEST_CASE("Orders of the glued column are 1, 1, 1, 2 and 4", "[reference][exteri
       gap[k] = gap_of(technique.joints(), world.states()).apart;
     }
     INFO(name_of(c.scheme) << ": " << off[0] << ", " << off[1] << "; " << gap[0] << ", " << gap[1]);
-    CHECK(std::log2(off[0] / off[1]) == near(c.order).margin(0.1));
-    CHECK(std::log2(gap[0] / gap[1]) == near(c.order).margin(0.1));
+    CHECK(std::log2(off[0] / off[1]) == near(c.order, 0.1));
+    CHECK(std::log2(gap[0] / gap[1]) == near(c.order, 0.1));
   }
 }

@@ -1,15 +1,13 @@
 /// \file
 /// \brief Ways to move the bodies of a group, written out, and the best frame for one.
-#include "tumble/base/random.hpp"
 #include "tumble/exterior_rotation/glued.hpp"
-#include "tumble/math/rotation.hpp"
 
 #include "driver/common_numbers.hpp"
 #include "driver/played_scene.hpp"
 #include "driver/statistics.hpp"
 #include "exterior_rotation/best_frame.hpp"
 #include "exterior_rotation/glued_runs.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -43,13 +41,13 @@ struct Tower {
     const Vec3 up_b(0.5, 0.5, 0.5);
     Vec3 point_w = up_b;
     Vec3 point_velocity_w = Vec3::Zero();
-    world.add(fixed, make_state(fixed, Vec3::Zero()));
+    world.add(fixed, Vec3::Zero());
     for (int k = 1; k <= 3; ++k) {
       const Quat q_wb = rotation_from_vector(chance.in_cube(1.0));
       const Vec3 spin_w = chance.in_cube(5.0);
       const Vec3 x_w = point_w + q_wb * up_b;
       const Vec3 v_w = point_velocity_w + spin_w.cross(x_w - point_w);
-      world.add(cube, make_state(cube, x_w, q_wb, v_w, spin_w));
+      world.add(cube, x_w, q_wb, v_w, spin_w);
       Joint joint;
       joint.first = k % 2 == 0 ? k : k - 1;  // the one below is first or second
       joint.second = k % 2 == 0 ? k - 1 : k;
@@ -69,7 +67,7 @@ struct Tower {
 TEST_CASE("A forward step of glued puts bodies where the ways of moving say that are written out",
           "[exact][exterior_rotation]") {
   for (const char* scene : {"fig6_1", "fig6_2", "fig6_3"}) {
-    World world = build_world(scene_with(scene, {}));
+    World world = build_world(make_scene(scene, {}));
     for (std::size_t k = 0; k < world.states().size();
          ++k)  // that of figures 6.1 and 6.2 is at rest
       if (world.bodies()[k].movable() && world.states()[k].angular_momentum_w.isZero()) {
@@ -79,9 +77,7 @@ TEST_CASE("A forward step of glued puts bodies where the ways of moving say that
                            spin_w);
       }
     for (const PoseUpdate pose : {PoseUpdate::separate, PoseUpdate::exponential}) {
-      GluedOptions options;
-      options.scheme = GluedScheme::forward_euler;
-      options.pose = pose;
+      GluedOptions options{.scheme = GluedScheme::forward_euler, .pose = pose};
       World stepped = world;
       Glued(options).step(stepped, kStep);
       const auto expected = pose == PoseUpdate::separate
@@ -132,5 +128,5 @@ TEST_CASE("The fitted order of a power law is its exponent", "[exact][exterior_r
   const std::array x = {0.1, 0.3, 0.7, 2.0};
   std::array<double, 4> y{};
   for (std::size_t k = 0; k < x.size(); ++k) y[k] = 3.0 * x[k] * x[k] * std::sqrt(x[k]);
-  CHECK(fitted_order(x, y) == near(2.5).margin(1e-13));
+  CHECK(fitted_order(x, y) == near(2.5, 1e-13));
 }

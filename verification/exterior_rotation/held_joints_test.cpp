@@ -1,15 +1,10 @@
 /// \file
 /// \brief Ball joints, hinges and fixed joints of a scene under `glued`: closed forms.
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/exterior_rotation/glued.hpp"
-#include "tumble/math/rotation.hpp"
-#include "tumble/scenes/simulation.hpp"
 
 #include "exterior_rotation/cases.hpp"
-#include "support/catch.hpp"
 #include "support/scenes.hpp"
-
-#include <numbers>
+#include "support/test.hpp"
 
 namespace {
 
@@ -20,11 +15,10 @@ using namespace tumble::test;
 Simulation flying_pair(JointKind kind) {
   Scene scene;
   scene.gravity_w.setZero();
-  SceneBox a;
-  a.name = "a";
-  a.size = Vec3(1.0, 0.4, 0.6);
-  a.mass = 2.0;
-  a.angular_velocity_w = Vec3(0.7, 2.0, -1.1);
+  SceneBox a{.name = "a",
+             .size = Vec3(1.0, 0.4, 0.6),
+             .mass = 2.0,
+             .angular_velocity_w = Vec3(0.7, 2.0, -1.1)};
   SceneBox b = a;
   b.name = "b";
   b.size = Vec3(0.5, 0.8, 0.3);

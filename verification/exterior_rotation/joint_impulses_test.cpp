@@ -1,12 +1,10 @@
 /// \file
 /// \brief Impulses in joints: invariants, and the motion that an edge and a corner leave free.
-#include "tumble/base/random.hpp"
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/exterior_rotation/joint_forces.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 
 #include "exterior_rotation/cases.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -24,8 +22,7 @@ TEST_CASE("Impulses of joints keep momenta, take energy only, and end all relati
     const Vec3 momentum_w = linear_momentum(world);
     const Vec3 turning_w = angular_momentum(world);
     const double energy = energy_of(world).kinetic;
-    std::vector<MovingBody> moving;
-    load_moving_bodies(world, moving);
+    std::vector<MovingBody> moving = moving_bodies(world);
     const std::vector<MovingBody> start = moving;
     JointForces forces;
     forces.project(moving, joints, world.states());
@@ -74,15 +71,13 @@ TEST_CASE("An edge lets two bodies turn about itself only, a corner about every 
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
   world.gravity_w = Vec3::Zero();
   const Quat tilt = random.orientation();
-  world.add(cube, make_state(cube, Vec3::Zero(), tilt, random.in_cube(1.0), random.in_cube(1.0)));
-  world.add(cube,
-            make_state(cube, tilt * Vec3::UnitY(), tilt, random.in_cube(1.0), random.in_cube(1.0)));
+  world.add(cube, Vec3::Zero(), tilt, random.in_cube(1.0), random.in_cube(1.0));
+  world.add(cube, tilt * Vec3::UnitY(), tilt, random.in_cube(1.0), random.in_cube(1.0));
   Joint joint = find_joints(world, tolerance::glue_margin).at(0);
   for (const JointHold hold : {JointHold::edge, JointHold::corner}) {
     joint.hold = hold;
     for (joint.side = 0; joint.side < 4; ++joint.side) {
-      std::vector<MovingBody> moving;
-      load_moving_bodies(world, moving);
+      std::vector<MovingBody> moving = moving_bodies(world);
       JointForces forces;
       forces.project(moving, {&joint, 1}, world.states());
       const Vec3 spin_w = moving[1].angular_velocity_w - moving[0].angular_velocity_w;
@@ -99,8 +94,7 @@ TEST_CASE("An edge lets two bodies turn about itself only, a corner about every 
     }
   }
   joint.hold = JointHold::nothing;
-  std::vector<MovingBody> moving;
-  load_moving_bodies(world, moving);
+  std::vector<MovingBody> moving = moving_bodies(world);
   JointForces forces;
   forces.project(moving, {&joint, 1}, world.states());
   CHECK_FALSE(moving[0].changed);

@@ -1,11 +1,10 @@
 /// \file
 /// \brief Forces in ball joints, hinges and fixed joints, against a dense solver and against Featherstone's articulated bodies.
-#include "tumble/base/random.hpp"
 #include "tumble/exterior_rotation/joint_forces.hpp"
 
 #include "previous_work/articulated_body.hpp"
-#include "support/catch.hpp"
 #include "support/dense_solve.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -20,13 +19,13 @@ TEST_CASE("Joints of all kinds give the accelerations of a dense solve", "[exact
     World world;
     constexpr int kBodies = 10;
     const BodyProperties wall = fixed_box_properties(Vec3::Ones());
-    world.add(wall, make_state(wall, Vec3::Zero()));
+    world.add(wall, Vec3::Zero());
     std::vector<std::pair<int, int>> rows_of;  // first row and count of each joint
     for (int k = 1; k < kBodies; ++k) {
       const BodyProperties box = box_properties(Vec3(1.0, 0.5, 0.7), chance.uniform(0.5, 3.0));
       const Vec3 place_w = chance.in_cube(2.0);
       const Quat turn = chance.orientation();
-      const BodyId id = world.add(box, make_state(box, place_w, turn));
+      const BodyId id = world.add(box, place_w, turn);
       const int parent = static_cast<int>(chance.uniform(0.0, 0.999) * k);
       const JointKind kind = joint_kinds()[static_cast<std::size_t>(chance.uniform(0.0, 2.999))];
       const Vec3 anchor_w = chance.in_cube(2.0);
@@ -60,8 +59,7 @@ TEST_CASE("Joints of all kinds give the accelerations of a dense solve", "[exact
     }
     MatX W = MatX::Zero(6 * kBodies, 6 * kBodies);
     VecX f = VecX::Zero(6 * kBodies);
-    std::vector<MovingBody> moving;
-    load_moving_bodies(world, moving);
+    std::vector<MovingBody> moving = moving_bodies(world);
     for (int k = 0; k < kBodies; ++k) {
       const MovingBody& m = moving[static_cast<std::size_t>(k)];
       W.block<3, 3>(6 * k, 6 * k) = m.inverse_mass.asDiagonal();
@@ -95,7 +93,7 @@ TEST_CASE("Balls and hinges in motion give Featherstone's accelerations", "[refe
     Random chance(static_cast<std::uint64_t>(children));
     World world;
     const BodyProperties wall = fixed_box_properties(Vec3::Ones());
-    world.add(wall, make_state(wall, Vec3::Zero()));
+    world.add(wall, Vec3::Zero());
     std::vector<HungLink> links;
     std::vector<Vec3> spin_w{Vec3::Zero()}, speed_w{Vec3::Zero()};
     for (int k = 1; k <= 20; ++k) {
@@ -111,15 +109,13 @@ TEST_CASE("Balls and hinges in motion give Featherstone's accelerations", "[refe
       const Vec3 at_anchor_w = speed_w[p] + spin_w[p].cross(anchor_w - on.position_w);
       speed_w.push_back(at_anchor_w + spin_w.back().cross(arm_w));
       const BodyProperties box = box_properties(Vec3(1.0, 0.4, 0.7), chance.uniform(0.5, 2.0));
-      const BodyId id =
-          world.add(box, make_state(box, anchor_w + arm_w, turn, speed_w.back(), spin_w.back()));
+      const BodyId id = world.add(box, anchor_w + arm_w, turn, speed_w.back(), spin_w.back());
       world.join(hinge ? JointKind::hinge : JointKind::ball, world.ids()[p], id, anchor_w,
                  hinge ? turning_w : Vec3(Vec3::Zero()));
       links.push_back({parent - 1, anchor_w, {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}});
       if (hinge) links.back().axes_w = {turning_w.normalized()};
     }
-    std::vector<MovingBody> moving;
-    load_moving_bodies(world, moving);
+    std::vector<MovingBody> moving = moving_bodies(world);
     const std::vector<Spatial> exact =
         articulated_accelerations(links, {moving.begin() + 1, moving.end()}, world.gravity_w);
     std::vector<Joint> joints;

@@ -8,14 +8,14 @@
 #include "exterior_rotation/nested_pendulum.hpp"
 #include "exterior_rotation/pushed_column.hpp"
 #include "exterior_rotation/side_view.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
 
-World nested_start() { return build_world(scene_with("fig6_3", {})); }
+World nested_start() { return build_world(make_scene("fig6_3")); }
 
 }  // namespace
 
@@ -28,10 +28,10 @@ TEST_CASE("The column opens by a thousandth of its edge when it turns and not wh
                       "tenth of that") == 2.0);
   // Evaluated apart from this code to five digits.
   CHECK(figure.number("largest gap or overlap of the column that turns, over an edge") ==
-        near(1.0170e-2).margin(5e-7));
+        near(1.0170e-2, 5e-7));
   CHECK(figure.number("the same sayings, half the angle at the start") == 2.0);
   CHECK(figure.number("the same sayings, twice the angle at the start") == 2.0);
-  CHECK(figure.number("the same, semi-implicit") == near(5.3367e-3).margin(5e-8));
+  CHECK(figure.number("the same, semi-implicit") == near(5.3367e-3, 5e-8));
   CHECK(figure.number("largest gap or overlap of the column that is pushed, over an edge") < 1e-13);
 }
 
@@ -42,11 +42,11 @@ TEST_CASE(
   const auto order = [&](const std::string& scheme) {
     return figure.number("order of the gap that a single step makes, " + scheme);
   };
-  CHECK(order("forward Euler") == near(2.0).margin(0.1));
-  CHECK(order("semi-implicit") == near(2.0).margin(0.1));
-  CHECK(order("impulses") == near(2.0).margin(0.1));
-  CHECK(order("midpoint") == near(3.0).margin(0.1));
-  CHECK(order("rk4") == near(5.0).margin(0.1));
+  CHECK(order("forward Euler") == near(2.0, 0.1));
+  CHECK(order("semi-implicit") == near(2.0, 0.1));
+  CHECK(order("impulses") == near(2.0, 0.1));
+  CHECK(order("midpoint") == near(3.0, 0.1));
+  CHECK(order("rk4") == near(5.0, 0.1));
 }
 
 TEST_CASE(
@@ -60,9 +60,9 @@ TEST_CASE(
   const auto gap = [&](std::size_t scheme) {
     return gap_of_step(column, options_of(film_schemes()[scheme]), dt);
   };
-  CHECK(gap(0) == near(arc).margin(1e-3 * arc));
-  CHECK(gap(1) == near(-arc).margin(1e-3 * arc));
-  CHECK(gap(2) == near(arc).margin(1e-3 * arc));
+  CHECK(gap(0) == near(arc, 1e-3 * arc));
+  CHECK(gap(1) == near(-arc, 1e-3 * arc));
+  CHECK(gap(2) == near(arc, 1e-3 * arc));
 }
 
 TEST_CASE(
@@ -95,8 +95,8 @@ TEST_CASE("The nested boxes of figure 6.3 move as a double pendulum",
     const HeldFrame& frame = run.frames[static_cast<std::size_t>(k)];
     const NestedAngles found = nested_angles(run.world(frame));
     const NestedAngles judged = nested_pendulum(start, frame.time);
-    CHECK(found.lower == near(judged.lower).margin(1e-11));
-    CHECK(found.upper == near(judged.upper).margin(1e-11));
+    CHECK(found.lower == near(judged.lower, 1e-11));
+    CHECK(found.upper == near(judged.upper, 1e-11));
   }
 }
 
@@ -127,8 +127,8 @@ TEST_CASE("A column that is pushed along moves as one and feels the push in its 
   const double push = 40.0;  // [N]
   const PushedRun run = push_column(4, push, kStep, 60);
   // Forward Euler from rest: x = a h^2 n (n - 1) / 2.
-  CHECK(run.way == near(0.5 * push / 4.0 * kStep * kStep * 60.0 * 59.0).margin(1e-11));
-  CHECK(run.force == near(push / 4.0).margin(1e-11));  // a joint at an end moves one cube of four
+  CHECK(run.way == near(0.5 * push / 4.0 * kStep * kStep * 60.0 * 59.0, 1e-11));
+  CHECK(run.force == near(push / 4.0, 1e-11));  // a joint at an end moves one cube of four
   CHECK(run.gap < 1e-13);
   CHECK(run.gaps.size() == 61);
   // An odd number is pushed in the middle of its middle one.

@@ -2,12 +2,10 @@
 /// \brief Steps with one evaluation of forces, and invariants of the exponential of a twist.
 #include "tumble/exterior_rotation/simple_steps.hpp"
 
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
-#include "tumble/math/rotation.hpp"
 
 #include "exterior_rotation/cases.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -49,7 +47,7 @@ TEST_CASE("The first step of each scheme is the one that its name promises",
     World world;
     world.gravity_w = Vec3(0.0, -g, 0.0);
     const BodyProperties cube = box_properties(Vec3::Ones(), 2.0);
-    world.add(cube, make_state(cube, Vec3::Zero(), Quat::Identity(), Vec3(0.0, 4.0, 0.0)));
+    world.add(cube, Vec3::Zero(), Quat::Identity(), Vec3(0.0, 4.0, 0.0));
     steps(world, scheme, pose, 1, h);
     return std::pair(world.states()[0].position_w.y(), velocity(cube, world.states()[0]).y());
   };

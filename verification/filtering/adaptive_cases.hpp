@@ -20,10 +20,7 @@ inline std::unique_ptr<Technique> make(const char* name) { return make_technique
 
 // Options with default tolerances.
 inline AdaptiveStepOptions halvings(int most, int fewest = 0) {
-  AdaptiveStepOptions options;
-  options.halvings = most;
-  options.fewest = fewest;
-  return options;
+  return AdaptiveStepOptions{.halvings = most, .fewest = fewest};
 }
 
 // Cubes that fly together, fall and chatter.
@@ -36,8 +33,8 @@ inline World clump(int per_edge) {
 // spin_w: [rad/s]
 inline World one_cube(const Vec3& velocity_w, const Vec3& spin_w = Vec3::Zero()) {
   World world;
-  const BodyProperties cube = box_properties(Vec3::Constant(0.2), 1.0);
-  world.add(cube, make_state(cube, Vec3(0.0, 5.0, 0.0), Quat::Identity(), velocity_w, spin_w));
+  world.add(box_properties(Vec3::Constant(0.2), 1.0), Vec3(0.0, 5.0, 0.0), Quat::Identity(),
+            velocity_w, spin_w);
   return world;
 }
 

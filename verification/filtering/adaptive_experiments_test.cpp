@@ -5,7 +5,7 @@
 
 #include "driver/quick.hpp"
 #include "filtering/adaptive_runs.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -20,9 +20,7 @@ SettledRun written_run() {
   SettledRun run;
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
   for (int k = 0; k < 4; ++k) {
-    BodyState state;
-    state.position_w = Vec3(3.0 * k, 0.5, 0.0);
-    run.world.add(cube, state);
+    run.world.add(cube, Vec3(3.0 * k, 0.5, 0.0));
   }
   const World start = run.world;
   for (int n = 0; n <= 120; ++n) {
@@ -49,7 +47,7 @@ TEST_CASE("The time of rest follows from net ways of half a second, and chatter 
   CHECK(measured.times[1] == 0.0);
   // The last half second with 10 mm or more begins 20 frames before frame 60, and ends 10 after.
   // Rounding decides whether exactly 10 mm count.
-  CHECK(measured.times[2] == near(70.0 * kFrame).margin(1.01 * kFrame));
+  CHECK(measured.times[2] == near(70.0 * kFrame, 1.01 * kFrame));
   CHECK(measured.times[3] == 120.0 * kFrame);
   CHECK(measured.time_to_rest(0.5) == 0.0);
   CHECK(measured.time_to_rest(0.75) == measured.times[2]);
@@ -63,16 +61,16 @@ TEST_CASE("The amplitude of a run is that of the bodies that rest", "[exact][fil
   const RestingMeasures measured = measure_resting(written_run());
   REQUIRE(measured.amplitudes.size() == 3);
   // [m] rounding of coordinates of a few metres
-  CHECK(measured.amplitudes[0] == near(0.0).margin(1e-14));
-  CHECK(measured.amplitudes[2] == near(2e-3).margin(1e-14));
-  CHECK(measured.mean_chatter() == near(2e-3 / 3.0).margin(1e-14));
-  CHECK(measured.chatter() == near(measured.amplitudes[1]).margin(0.0));
+  CHECK(measured.amplitudes[0] == near(0.0, 1e-14));
+  CHECK(measured.amplitudes[2] == near(2e-3, 1e-14));
+  CHECK(measured.mean_chatter() == near(2e-3 / 3.0, 1e-14));
+  CHECK(measured.chatter() == near(measured.amplitudes[1], 0.0));
   CHECK(RestingMeasures{}.chatter() == 0.0);
 }
 
 TEST_CASE("A run in adaptive steps has the frames of one in fixed steps, and all its work",
           "[unit][filtering]") {
-  const Scene scene = scene_with("fig6_7", {"per_edge=2"});
+  const Scene scene = make_scene("fig6_7", {"per_edge=2"});
   const auto technique = [&] { return make_technique("damped", {}); };
   const SteppedRun fixed = settle_in_steps(scene, technique(), fixed_steps(0), 1.0, 0.5);
   const SteppedRun fine = settle_in_steps(scene, technique(), fixed_steps(2), 1.0, 0.5);

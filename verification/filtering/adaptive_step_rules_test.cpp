@@ -3,7 +3,7 @@
 #include "tumble/filtering/adaptive_step.hpp"
 
 #include "filtering/adaptive_cases.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::adaptive_cases;
@@ -42,9 +42,7 @@ class Scripted : public Technique {
 // Two cubes of 0.2 m without weight, far from each other and from the ground.
 World resting_cubes() {
   World world = one_cube(Vec3::Zero());
-  BodyState second;
-  second.position_w = Vec3(3.0, 5.0, 0.0);
-  world.add(box_properties(Vec3::Constant(0.2), 1.0), second);
+  world.add(box_properties(Vec3::Constant(0.2), 1.0), Vec3(3.0, 5.0, 0.0));
   world.add_ground();
   world.gravity_w = Vec3::Zero();
   return world;
@@ -54,9 +52,7 @@ World resting_cubes() {
 
 TEST_CASE("A body that flies alone takes whole steps however fast it is", "[unit][filtering]") {
   World world = one_cube(Vec3(300.0, 0.0, 0.0), Vec3(50.0, 0.0, 0.0));
-  BodyState far;
-  far.position_w = Vec3(0.0, 5.0, 9.0);
-  world.add(box_properties(Vec3::Ones(), 1.0), far);
+  world.add(box_properties(Vec3::Ones(), 1.0), Vec3(0.0, 5.0, 9.0));
   AdaptiveStep adaptive(make("damped"));
   for (int k = 0; k < 60; ++k) {
     adaptive.step(world, kStep);
@@ -70,9 +66,7 @@ TEST_CASE("A step is halved until near bodies move by a fifth of the thinner one
   const auto first_substep = [](double speed) {
     World world = one_cube(Vec3(speed, 0.0, 0.0));
     world.gravity_w = Vec3::Zero();
-    BodyState plank;
-    plank.position_w = Vec3(0.126, 5.0, 0.0);
-    world.add(fixed_box_properties(Vec3(0.05, 2.0, 2.0)), plank);
+    world.add(fixed_box_properties(Vec3(0.05, 2.0, 2.0)), Vec3(0.126, 5.0, 0.0));
     AdaptiveStep adaptive(make("damped"));
     adaptive.step(world, kStep);
     return adaptive.substeps()[0];
@@ -89,9 +83,7 @@ TEST_CASE("A step is halved until a near body turns by a tenth of a radian", "[e
   const auto first_substep = [](double spin) {
     World world = one_cube(Vec3::Zero(), Vec3(spin, 0.0, 0.0));
     world.gravity_w = Vec3::Zero();
-    BodyState plank;
-    plank.position_w = Vec3(0.21, 5.0, 0.0);
-    world.add(fixed_box_properties(Vec3(0.2, 2.0, 2.0)), plank);
+    world.add(fixed_box_properties(Vec3(0.2, 2.0, 2.0)), Vec3(0.21, 5.0, 0.0));
     AdaptiveStep adaptive(make("damped"));
     adaptive.step(world, kStep);
     return adaptive.substeps()[0];
@@ -139,11 +131,9 @@ TEST_CASE("Gravity counts in the predicted approach to a fixed body", "[exact][f
   // 0.04 m are allowed: 2.4 m/s in a step. Gravity adds 0.16 m/s, but not between two that fall.
   const auto first_substep = [](double speed, bool fixed) {
     World world = one_cube(Vec3(0.0, -speed, 0.0));
-    BodyState below;
-    below.position_w = Vec3(0.0, 4.79, 0.0);
     world.add(fixed ? fixed_box_properties(Vec3::Constant(0.2))
                     : box_properties(Vec3::Constant(0.2), 1.0),
-              below);
+              Vec3(0.0, 4.79, 0.0));
     AdaptiveStep adaptive(make("damped"));
     adaptive.step(world, kStep);
     return adaptive.substeps()[0];
@@ -158,8 +148,7 @@ TEST_CASE("A corner that reverses by more than its tolerance requests smaller st
           "[unit][filtering]") {
   const auto substeps = [](double shake) {
     World world = resting_cubes();  // of 0.2 m: a millimetre is 5e-3 of it
-    AdaptiveStepOptions options;
-    options.shake = shake;
+    AdaptiveStepOptions options{.shake = shake};
     AdaptiveStep adaptive(std::make_unique<Scripted>([](World& bodies, int n, StepReport&) {
                             bodies.states()[0].position_w.y() += n % 2 == 0 ? 1e-3 : -1e-3;
                             return std::vector<int>{0};
@@ -170,7 +159,7 @@ TEST_CASE("A corner that reverses by more than its tolerance requests smaller st
   };
   CHECK(substeps(4.9e-3) == 16);
   CHECK(substeps(5.1e-3) == 1);
-  CHECK(substeps(std::numeric_limits<double>::infinity()) == 1);
+  CHECK(substeps(kInfinity) == 1);
 }
 
 TEST_CASE("Reversals are found body by body, independent of other bodies in contact",

@@ -1,14 +1,13 @@
 /// \file
 /// \brief The figures on the box filter (claims 5.5a and 5.5b, erratum P13), and what they measure with.
 
-#include "tumble/base/random.hpp"
 #include "tumble/filtering/box_filter.hpp"
 #include "tumble/record/overlap.hpp"
 
 #include "driver/quick.hpp"
 #include "driver/statistics.hpp"
 #include "filtering/shown_clump.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -55,7 +54,7 @@ TEST_CASE("Fifteen frames leave half of the squirm that five leave, and a third 
   CHECK(figure.number("squirm at 15 frames over that at 5") < 0.6);
   // An impact within a frame or two, and rest after it: the change of speed is shared by the window.
   CHECK(figure.number("sharpness of an impact at 15 frames over that at 5") ==
-        near(1.0 / 3.0).margin(1e-12));
+        near(1.0 / 3.0, 1e-12));
   CHECK(figure.number("sharpness of a bounce at 15 frames over that at 5") < 0.5);
   // In single frames filtering makes overlap; of a flat fall on the ground, which is convex, none.
   CHECK(figure.number("most that filtering over 15 frames adds to the overlap of a frame") >
@@ -67,7 +66,7 @@ TEST_CASE("Fifteen frames leave half of the squirm that five leave, and a third 
             "overlap with the ground of a landing cube that filtering over 15 frames adds") <
         1e-12);
   CHECK(figure.number("height by which a falling cube is shown too low at 5 frames") ==
-        near(9.81 / 3600.0).margin(1e-12));
+        near(9.81 / 3600.0, 1e-12));
 }
 
 TEST_CASE("A mean of quaternion components jumps back by six turns of a frame as the sign changes",
@@ -79,7 +78,7 @@ TEST_CASE("A mean of quaternion components jumps back by six turns of a frame as
   const double a = 5.0 / 60.0;
   const double failure = 2.0 * std::atan(2.0 * (std::sin(a) + std::sin(0.5 * a)));
   CHECK(figure.number("P13: angle to the right mean while a sign changes, mean of components") ==
-        near(failure).margin(1e-12));
+        near(failure, 1e-12));
   CHECK(
       figure.number("P13: angle to the right mean while a sign changes, mean of rotation vectors") <
       1e-14);  // [rad] measured 6e-16
@@ -96,7 +95,7 @@ TEST_CASE("Squirm of white noise under box filters is the root of summed squares
   for (const int width : {5, 9, 15}) {
     const double ratio = squirm(white_noise(20000, width), 1.0 / 60.0) / raw;
     // [-] a sum over 20000 samples is off by a hundredth
-    CHECK(ratio == near(squirm_of_white_noise("", width, 1).value).margin(0.02));
+    CHECK(ratio == near(squirm_of_white_noise("", width, 1).value, 0.02));
   }
   CHECK(squirm_of_white_noise("", 5, 5).value == 1.0);
 }

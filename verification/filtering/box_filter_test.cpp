@@ -2,12 +2,8 @@
 /// \brief The box filter against closed forms, at the ends of runs, with changing bodies, and live.
 #include "tumble/filtering/box_filter.hpp"
 
-#include "tumble/base/random.hpp"
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
-
 #include "filtering/one_body.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 #include <bit>
 
@@ -38,17 +34,6 @@ Trajectory boxed(const Trajectory& run, int width, BoxWindow window = BoxWindow:
   return filtered(run, BoxFilter(width, window));
 }
 
-// The message of a refusal; nothing if there is none.
-template <class Action>
-std::string refusal(const Action& action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -72,9 +57,9 @@ TEST_CASE("The box filter multiplies moves and turns of any frequency by the clo
       const Trajectory shown = boxed(
           run_of(kCount,
                  [&](int n) {
-                   BodyState state;
-                   state.position_w = kSwing * cosine(n) * along;
-                   state.orientation_wb = rotation_from_vector(kSwing * cosine(n) * about) * start;
+                   BodyState state{
+                       .position_w = kSwing * cosine(n) * along,
+                       .orientation_wb = rotation_from_vector(kSwing * cosine(n) * about) * start};
                    return state;
                  }),
           width);
@@ -103,10 +88,10 @@ TEST_CASE("The response of a box over five frames has the values of the closed f
                                                              {0.45, 0.143184191},
                                                              {0.5, 0.2}}};
   for (const auto& [frequency, gain] : values)
-    CHECK(BoxFilter::response(5, frequency) == near(gain).margin(6e-10));
-  CHECK(BoxFilter::response(5, 0.290215312) == near(-0.25).margin(1e-12));
-  CHECK(BoxFilter::response(5, 0.0901587151) == near(std::sqrt(0.5)).margin(1e-9));
-  CHECK(BoxFilter::response(5, 0.122472659) == near(0.5).margin(1e-8));
+    CHECK(BoxFilter::response(5, frequency) == near(gain, 6e-10));
+  CHECK(BoxFilter::response(5, 0.290215312) == near(-0.25, 1e-12));
+  CHECK(BoxFilter::response(5, 0.0901587151) == near(std::sqrt(0.5), 1e-9));
+  CHECK(BoxFilter::response(5, 0.122472659) == near(0.5, 1e-8));
   CHECK(BoxFilter::response(1, 0.37) == 1.0);
 }
 
@@ -114,8 +99,7 @@ TEST_CASE("A box filter keeps every bit of a run at rest, of q and -q and of neg
           "[exact][filtering]") {
   Random chance(5);
   for (int trial = 0; trial < 50; ++trial) {
-    BodyState rest;
-    rest.position_w = chance.in_cube(100.0);
+    BodyState rest{.position_w = chance.in_cube(100.0)};
     rest.position_w[trial % 3] = -0.0;
     rest.orientation_wb = chance.orientation();
     rest.linear_momentum_w = Vec3(-0.0, 1.0, 0.0);
@@ -173,8 +157,7 @@ TEST_CASE(
         while (half < width / 2 && n - half - 1 >= 0 && n + half + 1 < 30 &&
                there(body, n - half - 1) && there(body, n + half + 1))
           ++half;
-        CHECK(state->position_w.x() ==
-              near(place(body, n) + half * (half + 1) / 3.0).margin(1e-12));
+        CHECK(state->position_w.x() == near(place(body, n) + half * (half + 1) / 3.0, 1e-12));
         // The causal form: half a window ago, or the body's first pose.
         int then = n;
         while (then > n - width / 2 && then > 0 && there(body, then - 1)) --then;
@@ -205,7 +188,7 @@ TEST_CASE("A window ends where a body has turned by half a turn from its middle"
     state.position_w.x() = n * n;
     return state;
   });
-  CHECK(body_in(boxed(both, 15), 10).position_w.x() == near(102.0).margin(1e-12));
+  CHECK(body_in(boxed(both, 15), 10).position_w.x() == near(102.0, 1e-12));
 }
 
 TEST_CASE("A box filter shows the same orientations for q and -q", "[exact][filtering]") {
@@ -232,7 +215,7 @@ TEST_CASE("A box filter shows the same orientations for q and -q", "[exact][filt
 
 TEST_CASE("An even width, none and a huge one are refused with the number", "[unit][filtering]") {
   for (const int width : {0, -1, -5, 2, 4, 1002, 1003, 100001}) {
-    const std::string message = refusal([&] { BoxFilter filter(width); });
+    const std::string message = refusal_of([&] { BoxFilter filter(width); });
     CHECK(has(message, "over " + std::to_string(width) + " frames"));
     CHECK(has(message, "an odd number from 1 to 1001"));
   }
@@ -274,7 +257,7 @@ TEST_CASE("A frame after one at another interval is refused, and the filter is a
     add_at(filter, 9.5 * kFrameTime, 10);
     const std::unique_ptr<PoseFilter> copy = filter.clone();
     const std::size_t before = seen.size();
-    const std::string message = refusal([&] { add_at(filter, 10.5 * kFrameTime, 11); });
+    const std::string message = refusal_of([&] { add_at(filter, 10.5 * kFrameTime, 11); });
     CHECK(has(message, "frame 11 at 0.175 s"));
     CHECK(has(message, "equal times"));
     CHECK(has(message, "Keep the step constant"));
@@ -300,7 +283,7 @@ TEST_CASE("Times may carry rounding, and no more", "[unit][filtering]") {
     BoxFilter filter(5);
     const std::vector<BodyId> ids = {BodyId{7}};
     const std::vector<BodyState> states(1);
-    return !refusal([&] {
+    return !refusal_of([&] {
               for (int n = 0; n < 5; ++n)
                 filter.add(Frame{(n + (n == 3 ? shift : 0.0)) * kFrameTime, n, ids, states},
                            [](const Frame&) {});
@@ -317,17 +300,16 @@ TEST_CASE("A frame whose ids do not ascend, are not as many as states or come tw
   const std::vector<BodyState> states = {at(0.0), at(1.0)};
   const auto message = [&](const std::vector<BodyId>& ids, double time) {
     BoxFilter filter(3);
-    return refusal([&] { filter.add(Frame{time, 0, ids, states}, [](const Frame&) {}); });
+    return refusal_of([&] { filter.add(Frame{time, 0, ids, states}, [](const Frame&) {}); });
   };
   CHECK(message({BodyId{7}, BodyId{9}}, 0.0).empty());
   CHECK(has(message({BodyId{9}, BodyId{7}}, 0.0), "body with id 7: expected ids that ascend"));
   CHECK(has(message({BodyId{7}, BodyId{7}}, 0.0), "expected ids that ascend"));
   CHECK(has(message({BodyId{7}}, 0.0), "1 ids and 2 states"));
-  CHECK(has(message({BodyId{7}, BodyId{9}}, std::numeric_limits<double>::infinity()),
-            "time of a frame"));
+  CHECK(has(message({BodyId{7}, BodyId{9}}, kInfinity), "time of a frame"));
   BoxFilter filter(3);
   const std::vector<BodyId> ids = {BodyId{7}, BodyId{9}};
   const auto add = [&] { filter.add(Frame{1.0, 0, ids, states}, [](const Frame&) {}); };
   add();
-  CHECK(has(refusal(add), "frame 1 at 1 s: expected a time after 1 s"));
+  CHECK(has(refusal_of(add), "frame 1 at 1 s: expected a time after 1 s"));
 }

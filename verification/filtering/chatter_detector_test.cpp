@@ -2,12 +2,9 @@
 /// \brief Classification of motion from earlier frames, for motions of known class.
 #include "tumble/filtering/chatter_detector.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/filtering/tolerances.hpp"
-#include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -18,16 +15,10 @@ constexpr double kPi = std::numbers::pi;
 
 using Pose = std::function<BodyState(int frame)>;
 
-BodyState shifted(const Vec3& way_w) {
-  BodyState state;
-  state.position_w = way_w;
-  return state;
-}
+BodyState shifted(const Vec3& way_w) { return BodyState{.position_w = way_w}; }
 
 BodyState turned(const Vec3& angle_w) {
-  BodyState state;
-  state.orientation_wb = rotation_from_vector(angle_w);
-  return state;
+  return BodyState{.orientation_wb = rotation_from_vector(angle_w)};
 }
 
 // A film of one box, frame by frame.
@@ -197,11 +188,10 @@ TEST_CASE("Chatter needs contact, gravity, enough frames and numbers", "[unit][f
   CHECK(Film().shown(chatter).motion(BodyId{7}) == Motion::moves);
   CHECK(classified([&](int k) {
           BodyState state = chatter(k);
-          if (k == 35) state.position_w.y() = std::numeric_limits<double>::quiet_NaN();
+          if (k == 35) state.position_w.y() = kNan;
           return state;
         }) == Motion::moves);
-  for (const double bad :
-       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  for (const double bad : {kNan, kInfinity})
     CHECK(classified([&](int k) { return shifted(Vec3(0.0, k < 20 ? 0.0 : bad, 0.0)); }) ==
           Motion::moves);
 }
@@ -231,9 +221,9 @@ TEST_CASE("A rotated, larger and slower film is classified with the same thresho
       const ChatterDetector other = film.shown(noisy(scale, yaw));
       const MotionHistory history = *other.history(BodyId{0});
       const double margin = 1e-12;  // [-] rounding; measured 1e-14
-      CHECK(history.path / scale == near(expected.path).margin(margin));
-      CHECK(history.drift / scale == near(expected.drift).margin(margin));
-      CHECK(history.swing / scale == near(expected.swing).margin(margin));
+      CHECK(history.path / scale == near(expected.path, margin));
+      CHECK(history.drift / scale == near(expected.drift, margin));
+      CHECK(history.swing / scale == near(expected.swing, margin));
       CHECK(other.motion(BodyId{0}) == one.motion(BodyId{0}));
     }
 }

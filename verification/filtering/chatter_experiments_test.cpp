@@ -5,7 +5,7 @@
 /// minutes: Coulomb's friction in exact contact forces beyond a stack, and time stepping with 27 cubes.
 #include "driver/quick.hpp"
 #include "filtering/chatter_run.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -14,19 +14,19 @@ namespace {
 
 // The stack and the pyramid begin up to 1 cm off their places, so that something has to settle.
 ChatterRun on_stack(const PlayedTechnique& technique, std::uint64_t seed = 1) {
-  const Scene scene = scene_with("stack", {"count=5", "scatter=0.01"}, seed);
+  const Scene scene = make_scene("stack", {"count=5", "scatter=0.01"}, seed);
   return chatter_of(scene, technique, 2.0, 1.0, seed);
 }
 
 ChatterRun on_pyramid(const PlayedTechnique& technique, std::uint64_t seed = 1) {
-  const Scene scene = scene_with("pyramid", {"rows=5", "scatter=0.01"}, seed);
+  const Scene scene = make_scene("pyramid", {"rows=5", "scatter=0.01"}, seed);
   return chatter_of(scene, technique, 2.0, 1.0, seed);
 }
 
 // The clump lies by five seconds or, with Coulomb's friction, seven: one of its cubes topples late.
 ChatterRun on_clump(const PlayedTechnique& technique, int per_edge, std::uint64_t seed = 1,
                     double seconds = 5.0) {
-  const Scene scene = scene_with("fig6_7", {"per_edge=" + std::to_string(per_edge)}, seed);
+  const Scene scene = make_scene("fig6_7", {"per_edge=" + std::to_string(per_edge)}, seed);
   return chatter_of(scene, technique, seconds, 1.0, seed);
 }
 

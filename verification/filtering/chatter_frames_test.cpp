@@ -1,10 +1,9 @@
 /// \file
 /// \brief Frames of a chatter detector, and its options.
-#include "tumble/base/random.hpp"
 #include "tumble/filtering/chatter_detector.hpp"
 
 #include "support/allocation_counter.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -39,7 +38,7 @@ TEST_CASE("Half as long steps show a detector the same frames", "[exact][filteri
   CHECK(whole.motion(BodyId{0}) == Motion::chatters);
   CHECK(halves.motion(BodyId{0}) == Motion::chatters);
   // [m] error of the steps' time, 1e-14 s, times 1000 m/s
-  CHECK(halves.history(BodyId{0})->swing == near(whole.history(BodyId{0})->swing).margin(1e-10));
+  CHECK(halves.history(BodyId{0})->swing == near(whole.history(BodyId{0})->swing, 1e-10));
 }
 
 TEST_CASE("Contact in any step since the frame before is contact in a frame",
@@ -70,8 +69,8 @@ TEST_CASE("A detector sees 60 frames a second between steps of any length", "[ex
     }
   detector.add(world, std::vector<char>{1});
   const MotionHistory history = *detector.history(BodyId{0});
-  CHECK(history.displacement == near(0.1).margin(1e-13));  // [m] half a second at 0.2 m/s; rounding
-  CHECK(history.path == near(0.1).margin(1e-13));
+  CHECK(history.displacement == near(0.1, 1e-13));  // [m] half a second at 0.2 m/s; rounding
+  CHECK(history.path == near(0.1, 1e-13));
 }
 
 TEST_CASE("A detector refuses options out of range", "[unit][filtering]") {
@@ -80,8 +79,8 @@ TEST_CASE("A detector refuses options out of range", "[unit][filtering]") {
        std::vector<Change>{[](auto& o) { o.window = 1; }, [](auto& o) { o.window = 121; },
                            [](auto& o) { o.reversals = 0; }, [](auto& o) { o.swing = 0.0; },
                            [](auto& o) { o.rest = -1.0; }, [](auto& o) { o.drift = -1.0; },
-                           [](auto& o) { o.share = std::numeric_limits<double>::quiet_NaN(); },
-                           [](auto& o) { o.contact = 1.1; }, [](auto& o) { o.frame_rate = 0.0; }}) {
+                           [](auto& o) { o.share = kNan; }, [](auto& o) { o.contact = 1.1; },
+                           [](auto& o) { o.frame_rate = 0.0; }}) {
     ChatterDetectorOptions options;
     change(options);
     CHECK_THROWS_AS(ChatterDetector(options), std::invalid_argument);

@@ -2,21 +2,15 @@
 /// \brief Measures of unwanted motion: excursion, acceleration, squirm and pops (thesis 5.5).
 #include "tumble/filtering/corner_motion.hpp"
 
-#include "tumble/math/elementary.hpp"
-
 #include "filtering/one_body.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace one_body;
 
 namespace {
 
-BodyProperties brick() {
-  BodyProperties body;
-  body.size = Vec3(1.0, 0.4, 2.0);
-  return body;
-}
+BodyProperties brick() { return BodyProperties{.size = Vec3(1.0, 0.4, 2.0)}; }
 
 std::vector<Corners> path_of(const Trajectory& run) { return corner_path(run, BodyId{7}, brick()); }
 
@@ -64,7 +58,7 @@ TEST_CASE("The largest excursion is that of all pairs of frames", "[exact][filte
   CHECK(largest_excursion(along_x(1, [](int) { return 0.0; })) == 0.0);
   // To and fro by 3 mm, with reversals at the ends only.
   CHECK(largest_excursion(along_x(50, [](int n) { return n % 2 == 0 ? 0.0 : 0.003; })) ==
-        near(0.003).margin(1e-15));
+        near(0.003, 1e-15));
 }
 
 TEST_CASE("The second difference of a free fall is g dt² and that of a steady motion 0",
@@ -72,11 +66,11 @@ TEST_CASE("The second difference of a free fall is g dt² and that of a steady m
   const double g = 9.81;
   const double dt = kFrameTime;
   const auto fall = along_x(40, [=](int n) { return 2.0 * n * dt - 0.5 * g * n * n * dt * dt; });
-  CHECK(rms_second_difference(fall) == near(g * dt * dt).margin(1e-14));  // [m] rounding
+  CHECK(rms_second_difference(fall) == near(g * dt * dt, 1e-14));  // [m] rounding
   CHECK(rms_second_difference(along_x(40, [](int n) { return 0.01 * n; })) <= 1e-15);
   // To and fro by a: each is 2 a away from both neighbours, 2 · 2 a in all.
   const auto shaking = along_x(41, [](int n) { return n % 2 == 0 ? -0.001 : 0.001; });
-  CHECK(rms_second_difference(shaking) == near(0.004).margin(1e-15));
+  CHECK(rms_second_difference(shaking) == near(0.004, 1e-15));
   CHECK(rms_second_difference(along_x(2, [](int n) { return 1.0 * n; })) == 0.0);
   CHECK(rms_second_difference({}) == 0.0);
 }
@@ -85,24 +79,24 @@ TEST_CASE("The second difference is a mean over frames and over corners", "[exac
   // One jump in five frames, by d: second differences d, -d, 0.
   const double d = 0.01;
   const auto jump = along_x(5, [=](int n) { return n < 2 ? 0.0 : d; });
-  CHECK(rms_second_difference(jump) == near(d * std::sqrt(2.0 / 3.0)).margin(1e-15));
+  CHECK(rms_second_difference(jump) == near(d * std::sqrt(2.0 / 3.0), 1e-15));
   // A turn about a fixed axis at a constant rate: r (2 - 2 cos w) for each corner at distance r.
   const double w = 0.01;
   const auto turning = path_of(run_of(30, [=](int n) { return turned_by(w * n); }));
   const double r = 0.5 * std::sqrt(1.0 + 0.4 * 0.4);
-  CHECK(rms_second_difference(turning) == near(r * (2.0 - 2.0 * elementary::cos(w))).margin(1e-14));
+  CHECK(rms_second_difference(turning) == near(r * (2.0 - 2.0 * elementary::cos(w)), 1e-14));
 }
 
 TEST_CASE("Squirm is the speed of a drift and ignores oscillation frame by frame",
           "[exact][filtering]") {
   const auto drift = [](int n) { return 0.004 * n * kFrameTime; };
-  CHECK(squirm(along_x(60, drift), kFrameTime) == near(0.004).margin(1e-12));
+  CHECK(squirm(along_x(60, drift), kFrameTime) == near(0.004, 1e-12));
   const auto shaking = [](int n) { return n % 2 == 0 ? -0.002 : 0.002; };
   // The line fit through eleven alternating positions is level: Σ j (-1)^j over j and -j is 0.
   CHECK(squirm(along_x(60, shaking), kFrameTime) <= 1e-14);
   CHECK(squirm(along_x(60, [=](int n) { return drift(n) + shaking(n); }), kFrameTime) ==
-        near(0.004).margin(1e-12));
-  CHECK(squirm(along_x(kSquirmFrames, drift), kFrameTime) == near(0.004).margin(1e-12));
+        near(0.004, 1e-12));
+  CHECK(squirm(along_x(kSquirmFrames, drift), kFrameTime) == near(0.004, 1e-12));
   CHECK(squirm(along_x(kSquirmFrames - 1, drift), kFrameTime) == 0.0);
   CHECK(squirm({}, kFrameTime) == 0.0);
   CHECK_THROWS_AS(squirm(along_x(60, drift), 0.0), std::invalid_argument);
@@ -120,7 +114,7 @@ TEST_CASE("Squirm of a slow swing is the root mean square of its speed", "[exact
     const auto path = along_x(frames, [=](int n) { return amplitude * elementary::sin(w * n); });
     const double speed = std::sqrt(2.0) * std::numbers::pi * frequency * amplitude;
     // [m/s] sums over whole periods of equal spacing are exact
-    CHECK(squirm(path, kFrameTime) == near(speed * factor).margin(1e-12));
+    CHECK(squirm(path, kFrameTime) == near(speed * factor, 1e-12));
     CHECK(factor > 0.9);
     if (frequency <= 0.5) CHECK(factor > 0.97);
   }
@@ -138,7 +132,7 @@ TEST_CASE("Squirm is that of the corner that moves most", "[exact][filtering]") 
     }));
     const double diagonal = std::sqrt(1.0 + 0.4 * 0.4);
     // [m/s] a rotation by 0.01 rad in a second is straight to a millionth
-    CHECK(squirm(path, kFrameTime) == near(rate * diagonal).margin(1e-7));
+    CHECK(squirm(path, kFrameTime) == near(rate * diagonal, 1e-7));
   }
 }
 
@@ -153,7 +147,7 @@ TEST_CASE("Pops are shown steps that are longer than computed ones and than a gi
   const auto shown = path({0.0, 0.0, 0.0, 0.012, 0.016, 0.046, 0.049});
   const Pops found = pops(shown, computed, 0.01);
   CHECK(found.count == 1);
-  CHECK(found.largest == near(0.012).margin(1e-15));
+  CHECK(found.largest == near(0.012, 1e-15));
   CHECK(pops(shown, computed, 0.0029).count == 2);
   CHECK(pops(shown, computed, 0.0121).count == 0);
   CHECK(pops(shown, computed, 0.0121).largest == 0.0);
@@ -168,6 +162,6 @@ TEST_CASE("The displacement between two poses is that of the corner that moves f
   const Corners from = corners_of(box_of(brick(), turned_by(0.0)));
   const Corners to = corners_of(box_of(brick(), turned_by(0.1)));
   const double r = 0.5 * std::sqrt(1.0 + 0.4 * 0.4);
-  CHECK(largest_displacement(from, to) == near(2.0 * r * elementary::sin(0.05)).margin(1e-15));
+  CHECK(largest_displacement(from, to) == near(2.0 * r * elementary::sin(0.05), 1e-15));
   CHECK(largest_displacement(from, from) == 0.0);
 }

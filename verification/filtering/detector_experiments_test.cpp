@@ -2,7 +2,7 @@
 /// \brief Hits and false alarms of the detector (claim 6.3.1c).
 #include "driver/quick.hpp"
 #include "filtering/motion_corpus.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -37,7 +37,7 @@ TEST_CASE("The label of a motion agrees with the whole run", "[unit][filtering]"
   // A box that slides for a second and stops: what is labelled slides, and nothing after its stop.
   MotionCorpus corpus;
   const SettledRun run =
-      settle_scene(scene_with("slide", {"speed=0.2", "friction=0.02", "height=1"}),
+      settle_scene(make_scene("slide", {"speed=0.2", "friction=0.02", "height=1"}),
                    {"contact_damped", {}}, 0.0, 4.0);
   add_run(run, 1, Doing::slides, corpus);
   REQUIRE_FALSE(corpus.moments.empty());
@@ -47,9 +47,9 @@ TEST_CASE("The label of a motion agrees with the whole run", "[unit][filtering]"
   CHECK(corpus.false_freezes == 0);
 
   MotionCorpus falling;
-  add_run(settle_scene(scene_with("bouncing_box", {}), {"basic", {}}, 0.0, 1.5), 5, Doing::slides,
+  add_run(settle_scene(make_scene("bouncing_box"), {"basic", {}}, 0.0, 1.5), 5, Doing::slides,
           falling);
   REQUIRE_FALSE(falling.moments.empty());
-  CHECK(std::all_of(falling.moments.begin(), falling.moments.end(),
-                    [](const Moment& m) { return m.doing == Doing::falls; }));
+  CHECK(std::ranges::all_of(falling.moments,
+                            [](const Moment& m) { return m.doing == Doing::falls; }));
 }

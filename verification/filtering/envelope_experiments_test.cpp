@@ -1,7 +1,7 @@
 /// \file
 /// \brief The figures on envelopes, run small (claims 5.5c and 5.5d).
 #include "driver/quick.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -52,7 +52,7 @@ TEST_CASE("A wider envelope lets a body that chatters rest for more frames",
   for (const std::string whose : {"thesis", "soft"}) {
     const std::vector<double> still = column(sweep, whose + "_still");
     CHECK(still.front() < still.back());
-    CHECK(std::all_of(still.begin(), still.end(), [](double s) { return s >= 0.0 && s <= 1.0; }));
+    CHECK(std::ranges::all_of(still, [](double s) { return s >= 0.0 && s <= 1.0; }));
   }
   // From its own envelope on the thesis's pops are longer than the envelope, by a corner's way.
   const std::vector<double> radius = column(sweep, "radius_mm");
@@ -80,7 +80,7 @@ TEST_CASE("At constant speed all three filters agree with their closed forms",
   const FigureUnderTest figure("claim_5_5d_fast");
   // [m] rounding of places of up to 48 m
   CHECK(figure.number("largest difference from closed forms at constant speed") <= 1e-12);
-  CHECK(figure.number("pop of a ramp of 3 mm a frame") == near(12.0).margin(1e-9));
+  CHECK(figure.number("pop of a ramp of 3 mm a frame") == near(12.0, 1e-9));
   CHECK(figure.number("frames from pop to pop of a ramp of 3 mm a frame") == 4.0);
   // Between half the envelope's speed and all of it every other frame is as computed.
   const Table& speeds = figure.result.tables[1];
@@ -88,8 +88,8 @@ TEST_CASE("At constant speed all three filters agree with their closed forms",
   const std::vector<double> exact = column(speeds, "thesis_exact");
   const std::vector<double> ours = column(speeds, "soft_exact");
   for (std::size_t k = 0; k < speed.size(); ++k) {
-    if (speed[k] > 0.5 && speed[k] < 1.0) CHECK(exact[k] == near(0.5).margin(1e-9));
-    if (speed[k] > 1.0) CHECK(exact[k] == near(1.0).margin(1e-9));
-    CHECK(ours[k] == near(speed[k] > 1.0 ? 1.0 : 0.0).margin(1e-9));
+    if (speed[k] > 0.5 && speed[k] < 1.0) CHECK(exact[k] == near(0.5, 1e-9));
+    if (speed[k] > 1.0) CHECK(exact[k] == near(1.0, 1e-9));
+    CHECK(ours[k] == near(speed[k] > 1.0 ? 1.0 : 0.0, 1e-9));
   }
 }

@@ -2,10 +2,8 @@
 /// \brief The exact behaviour of the thesis's envelope filter (thesis 5.5).
 #include "tumble/filtering/envelope_filter.hpp"
 
-#include "tumble/math/elementary.hpp"
-
 #include "filtering/one_body.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace one_body;
@@ -51,7 +49,7 @@ TEST_CASE("A ramp of 3 mm a frame under an envelope of 10 mm pops by 12 mm in ev
     CHECK(body_in(shown, n).position_w.x() == body_in(run, n - n % 4).position_w.x());
   // [m] rounding of 81 multiples of 3 mm
   CHECK(body_in(shown, 40).position_w.x() - body_in(shown, 39).position_w.x() ==
-        near(0.012).margin(1e-15));
+        near(0.012, 1e-15));
 }
 
 TEST_CASE("A body is shown at rest if and only if it stays within the envelope of its first pose",
@@ -95,8 +93,7 @@ TEST_CASE(
   const Vec3 axis = Vec3(1.0, 2.0, -2.0) / 3.0;
   const auto turn_run = [&](double angle, bool minus) {
     return run_of(2, [=](int n) {
-      BodyState state;
-      state.orientation_wb = rotation_from_vector(Vec3(n * angle * axis));
+      BodyState state{.orientation_wb = rotation_from_vector(Vec3(n * angle * axis))};
       if (minus && n == 1) state.orientation_wb.coeffs() *= -1.0;
       return state;
     });
@@ -154,8 +151,7 @@ TEST_CASE("A body that comes back after frames without it is a new one to an env
 }
 
 TEST_CASE("An envelope without a radius or an angle above 0 is refused", "[unit][filtering]") {
-  for (const double bad : {0.0, -0.01, std::numeric_limits<double>::quiet_NaN(),
-                           std::numeric_limits<double>::infinity()}) {
+  for (const double bad : {0.0, -0.01, kNan, kInfinity}) {
     CHECK_THROWS_AS(EnvelopeFilter({bad, kAngle}), std::invalid_argument);
     CHECK_THROWS_AS(EnvelopeFilter({kRadius, bad}), std::invalid_argument);
     CHECK_THROWS_AS(SoftEnvelopeFilter({bad, kAngle}), std::invalid_argument);

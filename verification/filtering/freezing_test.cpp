@@ -4,33 +4,26 @@
 
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/filtering/adaptive_step.hpp"
 #include "tumble/impulse_damped/damped.hpp"
-#include "tumble/scenes/library.hpp"
-#include "tumble/techniques.hpp"
 
-#include "support/catch.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 
 namespace {
 
 using namespace tumble;
 using namespace tumble::test;
 
-constexpr double kStep = 1.0 / 60.0;  // [s]
-
 World clump(int per_edge) { return world_of("fig6_7", {{"per_edge", std::to_string(per_edge)}}); }
 
 std::unique_ptr<Technique> damped(bool sleeping) {
-  DampedOptions options;
-  options.sleeping = sleeping;
-  return std::make_unique<Damped>(options);
+  return std::make_unique<Damped>(DampedOptions{.sleeping = sleeping});
 }
 
 void run(Technique& technique, World& world, double seconds) {
-  for (int k = 0; k < static_cast<int>(std::lround(seconds / kStep)); ++k)
-    technique.step(world, kStep);
+  for (int k = 0; k < static_cast<int>(std::lround(seconds / kFrame)); ++k)
+    technique.step(world, kFrame);
 }
 
 int asleep(const World& world) {
@@ -65,10 +58,9 @@ TEST_CASE("A clump freezes at divided steps too, where it touches in one sub-ste
 
 TEST_CASE("A body that counts as slow falls asleep as fast as it is, and its energy is booked",
           "[exact][filtering]") {
-  World world;
-  world.add_ground();
-  const BodyProperties box = box_properties(Vec3::Ones(), 2.0);
-  world.add(box, make_state(box, Vec3(0.0, 0.5, 0.0), Quat::Identity(), Vec3(0.0, 3.0, 4.0)));
+  World world = ground_world();
+  world.add(box_properties(Vec3::Ones(), 2.0), Vec3(0.0, 0.5, 0.0), Quat::Identity(),
+            Vec3(0.0, 3.0, 4.0));
   SleepingRule rule;
   const std::vector<IndexPair> pairs = {{0, 1}};
   Islands islands;
@@ -77,7 +69,7 @@ TEST_CASE("A body that counts as slow falls asleep as fast as it is, and its ene
   double energy = 0.0;
   const auto step = [&] {
     rule.wake_disturbed(world);
-    energy += rule.update_with_pairs(world, pairs, islands, kStep, slow).energy;
+    energy += rule.update_with_pairs(world, pairs, islands, kFrame, slow).energy;
   };
   for (int k = 0; k < 60; ++k) step();
   CHECK(asleep(world) == 0);
@@ -95,7 +87,7 @@ TEST_CASE("Freezing moves no body and books what it stops", "[unit][filtering]")
   int fell = 0;
   for (int k = 0; k < 360; ++k) {
     const std::vector<SleepState> before(world.sleep_states().begin(), world.sleep_states().end());
-    freezing.step(world, kStep);
+    freezing.step(world, kFrame);
     for (std::size_t b = 0; b < before.size(); ++b) {
       if (!world.sleep_states()[b].asleep) continue;
       fell += before[b].asleep ? 0 : 1;
@@ -108,7 +100,7 @@ TEST_CASE("Freezing moves no body and books what it stops", "[unit][filtering]")
 
   // From here on sleeping bodies do not move.
   const World then = world;
-  for (int k = 0; k < 60; ++k) freezing.step(world, kStep);
+  for (int k = 0; k < 60; ++k) freezing.step(world, kFrame);
   int still = 0;
   for (std::size_t b = 0; b < then.states().size(); ++b) {
     if (!then.sleep_states()[b].asleep || !world.sleep_states()[b].asleep) continue;
@@ -133,7 +125,7 @@ TEST_CASE("A frozen island wakes when one of its bodies is pushed, and freezes a
   const double before = world.states()[top].position_w.y();
   const int slept = asleep(world);
   world.set_velocity(world.ids()[top], Vec3(0.0, 4.0, 0.0), Vec3::Zero());
-  freezing.step(world, kStep);
+  freezing.step(world, kFrame);
   CHECK(asleep(world) < slept - 1);  // others with it
   run(freezing, world, 0.25);
   CHECK(world.states()[top].position_w.y() > before + 0.5);  // [m] free flight has 0.7
@@ -143,17 +135,15 @@ TEST_CASE("A frozen island wakes when one of its bodies is pushed, and freezes a
 }
 
 TEST_CASE("A box that slides slowly is not frozen", "[unit][filtering]") {
-  ContactDampedOptions options;
-  options.sleeping = true;
+  ContactDampedOptions options{.sleeping = true};
   for (const double speed : {0.04, 0.1, 0.3}) {
-    World world;
-    world.add_ground(0.0);
-    const BodyProperties box = box_properties(Vec3::Ones(), 1.0, 0.0);
-    world.add(box, make_state(box, Vec3(0.0, 0.5, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
+    World world = ground_world(0.0);
+    world.add(box_properties(Vec3::Ones(), 1.0, 0.0), Vec3(0.0, 0.5, 0.0), Quat::Identity(),
+              Vec3(speed, 0.0, 0.0));
     FreezeOnChatter freezing(std::make_unique<ContactDamped>(options));
     run(freezing, world, 4.0);
     CHECK(asleep(world) == 0);
-    CHECK(world.states()[1].position_w.x() == near(4.0 * speed).margin(1e-6));  // [m]
+    CHECK(world.states()[1].position_w.x() == near(4.0 * speed, 1e-6));  // [m]
   }
 }
 
@@ -163,8 +153,8 @@ TEST_CASE("Without sleeping a wrapped technique steps to the same bits", "[exact
   const std::unique_ptr<Technique> technique = damped(false);
   FreezeOnChatter freezing(damped(false));
   for (int k = 0; k < 180; ++k) {
-    technique->step(plain, kStep);
-    freezing.step(wrapped, kStep);
+    technique->step(plain, kFrame);
+    freezing.step(wrapped, kFrame);
   }
   CHECK(plain.hash().value() == wrapped.hash().value());
   CHECK(freezing.name() == "damped");
@@ -189,13 +179,13 @@ TEST_CASE("A world that is put back in time is stepped, and its bodies are class
   run(freezing, world, 4.0);
   const World settled = world;
   const auto calm = [&] {
-    return std::count_if(world.ids().begin(), world.ids().end(),
-                         [&](BodyId id) { return freezing.calm_bodies().calm(id); });
+    return std::ranges::count_if(world.ids(),
+                                 [&](BodyId id) { return freezing.calm_bodies().calm(id); });
   };
   run(freezing, world, 1.0);
   REQUIRE(calm() > 0);
   world = settled;
-  freezing.step(world, kStep);
+  freezing.step(world, kFrame);
   CHECK(calm() == 0);
   run(freezing, world, 1.0);
   CHECK(calm() > 0);
@@ -210,21 +200,21 @@ TEST_CASE("A body is calm until it leaves the place where it was classified",
   const auto go = [&](int frames, double step) {
     for (int k = 0; k < frames; ++k) {
       calm.add(world, touches);
-      world.finish_step(kStep);
+      world.finish_step(kFrame);
       world.states()[0].position_w.x() += step;
     }
     calm.add(world, touches);
   };
   go(29, 0.0);
   CHECK_FALSE(calm.calm(id));  // 30 frames are too few
-  world.finish_step(kStep);
+  world.finish_step(kFrame);
   go(1, 0.0);
   CHECK(calm.calm(id));
-  world.finish_step(kStep);
+  world.finish_step(kFrame);
   world.states()[0].position_w.x() = 0.99 * tolerance::resting_movement;
   calm.add(world, touches);
   CHECK(calm.calm(id));
-  world.finish_step(kStep);
+  world.finish_step(kFrame);
   world.states()[0].position_w.x() = 1.01 * tolerance::resting_movement;
   calm.add(world, touches);
   CHECK_FALSE(calm.calm(id));
@@ -233,18 +223,12 @@ TEST_CASE("A body is calm until it leaves the place where it was classified",
 
 TEST_CASE("The option freeze requires sleeping", "[unit][filtering]") {
   for (const char* name : {"impulse", "damped", "contact_damped"}) {
-    const TechniqueRecipe& recipe = technique_recipe(name);
-    Parameters options = recipe.options();
-    CHECK_FALSE(options.flag("freeze"));
-    options.set("freeze", "on");
-    CHECK_THROWS_AS(recipe.make(options, 1), std::invalid_argument);
-    options.set("sleeping", "on");
-    const std::unique_ptr<Technique> made = recipe.make(options, 1);
+    CHECK_FALSE(technique_recipe(name).options().flag("freeze"));
+    CHECK_THROWS_AS(make_technique(name, {"freeze=on"}), std::invalid_argument);
+    const auto made = make_technique(name, {"freeze=on", "sleeping=on"});
     CHECK(dynamic_cast<const FreezeOnChatter*>(made.get()) != nullptr);
     CHECK(made->name() == name);
   }
-  Parameters printed = technique_recipe("damped").options();
-  printed.set("reading", "as_printed");
-  printed.set("freeze", "on");
-  CHECK_THROWS_AS(technique_recipe("damped").make(printed, 1), std::invalid_argument);
+  CHECK_THROWS_AS(make_technique("damped", {"reading=as_printed", "freeze=on"}),
+                  std::invalid_argument);
 }

@@ -5,7 +5,7 @@
 
 #include "driver/quick.hpp"
 #include "filtering/live_runs.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -45,7 +45,7 @@ TEST_CASE("A mean over five frames waits for two, the other filters for none",
   CHECK(later_frames_needed(*filter_of("box:15")) == 7);
   CHECK(later_frames_needed(*filter_of("box:15,causal")) == 0);
   CHECK(figure.number("time for which frames wait at 60 Hz, box of five") ==
-        near(1.0 / 30.0).margin(1e-15));
+        near(1.0 / 30.0, 1e-15));
 }
 
 TEST_CASE("At constant speed each filter is as many frames late as its closed form says",
@@ -53,8 +53,8 @@ TEST_CASE("At constant speed each filter is as many frames late as its closed fo
   // A creeping body moves by 0.08/60 m in a frame, and 0.01 m is the envelope: the envelope pops
   // in every eighth frame, its mean offset is that of 0 to 7 frames; the soft one trails by
   // 1 - 0.08/0.6 envelopes. Exponential smoothing trails by 1/(2 pi f dt) frames.
-  const double cutoff = 1.0 + 16.0 * 0.08;                                     // [Hz]
-  const auto close = [](double frames) { return near(frames).margin(1e-9); };  // measured 1e-13
+  const double cutoff = 1.0 + 16.0 * 0.08;                              // [Hz]
+  const auto close = [](double frames) { return near(frames, 1e-9); };  // measured 1e-13
   CHECK(delay("box:5", 0.08) == close(2.0));
   CHECK(delay("box:5,causal", 0.08) == close(2.0));
   CHECK(delay("box:9", 0.08) == close(4.0));
@@ -103,7 +103,7 @@ TEST_CASE("Bits are counted one by one, and those of missing frames and bodies a
 }
 
 TEST_CASE("In a live run bodies come, and one is taken away", "[unit][filtering]") {
-  PlayedScene scene(scene_with("projectile", {"rows=2", "appears=0.1"}), {"contact_damped"});
+  PlayedScene scene(make_scene("projectile", {"rows=2", "appears=0.1"}), {"contact_damped"});
   const int at_first = scene.world().count();
   const auto filters = live_filters();
   const LiveRun run = play_live(scene, filters, 0.4, 0.2);
@@ -117,7 +117,7 @@ TEST_CASE("In a live run bodies come, and one is taken away", "[unit][filtering]
   for (const Trajectory& live : run.live) CHECK(live.count() == 25);
 
   // Nor is another one taken when rounding carries the clock past the end: 60 steps take more than 1 s.
-  PlayedScene longer(scene_with("projectile", {"rows=2", "appears=0.1"}), {"contact_damped"});
+  PlayedScene longer(make_scene("projectile", {"rows=2", "appears=0.1"}), {"contact_damped"});
   const LiveRun second = play_live(longer, filters, 1.0, 0.5);
   REQUIRE(second.computed.count() == 61);
   CHECK(longer.world().time() > 1.0);

@@ -1,11 +1,9 @@
 /// \file
 /// \brief Filters on whole runs, in pieces and live: the same bits, with bodies added and removed.
-#include "tumble/base/random.hpp"
 #include "tumble/dynamics/step_report.hpp"
 #include "tumble/filtering/filters.hpp"
-#include "tumble/math/rotation.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -65,10 +63,7 @@ class Wanderers {
   World world;
 
  private:
-  void come() {
-    const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-    world.add(cube, make_state(cube, chance_.in_cube(2.0)));
-  }
+  void come() { world.add(box_properties(Vec3::Ones(), 1.0), chance_.in_cube(2.0)); }
 
   Random chance_;
 };
@@ -217,10 +212,10 @@ TEST_CASE("A frame that a filter refuses leaves no trace in what it shows", "[un
       add(run, 0, middle, *filter, shown);
       const Frame good = run.frame(middle);
       std::vector<BodyState> states(good.states.begin(), good.states.end());
-      states.back().position_w.y() = std::numeric_limits<double>::quiet_NaN();
+      states.back().position_w.y() = kNan;
       const FrameSink discard = [](const Frame&) {};
       CHECK_THROWS_WITH(filter->add(Frame{good.time, good.step, good.ids, states}, discard),
-                        Catch::Matchers::Contains("frame " + std::to_string(middle)));
+                        Contains("frame " + std::to_string(middle)));
       const Frame before = run.frame(middle - 1);
       CHECK_THROWS_AS(filter->add(before, discard), std::invalid_argument);
       add(run, middle, run.count(), *filter, shown);

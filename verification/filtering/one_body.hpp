@@ -68,8 +68,7 @@ inline int changes_in(const tumble::Trajectory& run) {
 // turn: [rad] largest turn in a frame
 inline tumble::Trajectory random_walk(int count, double way, double turn, std::uint64_t seed) {
   tumble::Random chance(seed);
-  tumble::BodyState now;
-  now.orientation_wb = chance.orientation();
+  tumble::BodyState now{.orientation_wb = chance.orientation()};
   return run_of(count, [&, way, turn](int) {
     const tumble::Vec3 along = chance.direction();
     const tumble::Vec3 axis = chance.direction();

@@ -2,10 +2,8 @@
 /// \brief The one-euro filter against closed forms (thesis 5.5).
 #include "tumble/filtering/one_euro_filter.hpp"
 
-#include "tumble/math/elementary.hpp"
-
 #include "filtering/one_body.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace one_body;
@@ -38,7 +36,7 @@ TEST_CASE("Without gain a step is taken as exponential smoothing takes it", "[ex
     double left = 1.0;  // (1 - a)^n
     for (int n = 1; n < shown.count(); ++n) {
       left *= 1.0 - share(cutoff, kFrameTime);
-      CHECK(body_in(shown, n).position_w.x() == near(1.0 - left).margin(kRounding));
+      CHECK(body_in(shown, n).position_w.x() == near(1.0 - left, kRounding));
     }
   }
 }
@@ -59,31 +57,29 @@ TEST_CASE("Without gain a swing is damped by the response of a first-order filte
     for (int n = 1200; n < 2400; ++n) {
       const auto [s, c] = elementary::sincos(w * n);
       // [m] after 20 s the start has no effect; rounding of w n
-      CHECK(body_in(shown, n).position_w.x() ==
-            near(a * (c * real + s * imaginary) / size).margin(1e-10));
+      CHECK(body_in(shown, n).position_w.x() == near(a * (c * real + s * imaginary) / size, 1e-10));
     }
     // Half of the power at the cutoff, to the accuracy of 60 frames per second.
-    if (frequency == cutoff) CHECK(a * a / size == near(0.5).margin(0.03));
+    if (frequency == cutoff) CHECK(a * a / size == near(0.5, 0.03));
   }
 }
 
 TEST_CASE("The lag of the one-euro filter follows from its cutoff and gain", "[exact][filtering]") {
   const OneEuroOptions options;
-  double last = std::numeric_limits<double>::infinity();
+  double last = kInfinity;
   for (const double speed : {0.001, 0.1, 1.0, 10.0}) {
     const double lag = lag_of(speed, OneEuroFilter(options));
     const double expected = speed / (kTurnRate * (options.cutoff + options.gain * speed));
-    CHECK(lag == near(expected).margin(1e-11));  // [m] at places of up to 200 m
-    CHECK(lag / speed < last);                   // the faster, the smaller
+    CHECK(lag == near(expected, 1e-11));  // [m] at places of up to 200 m
+    CHECK(lag / speed < last);            // the faster, the smaller
     last = lag / speed;
   }
   // Its default gain makes that a centimetre at high speed, and never more.
-  CHECK(lag_of(100.0, OneEuroFilter()) == near(0.01).margin(1e-4));
+  CHECK(lag_of(100.0, OneEuroFilter()) == near(0.01, 1e-4));
   CHECK(lag_of(100.0, OneEuroFilter()) < 0.01);
   // And it is the same at any frame rate.
   for (const double rate : {24.0, 30.0, 240.0})
-    CHECK(lag_of(1.0, OneEuroFilter(), 1.0 / rate) ==
-          near(lag_of(1.0, OneEuroFilter())).margin(1e-10));
+    CHECK(lag_of(1.0, OneEuroFilter(), 1.0 / rate) == near(lag_of(1.0, OneEuroFilter()), 1e-10));
 }
 
 TEST_CASE("A change of the frame rate enters the one-euro filter by the time between two frames",
@@ -99,8 +95,7 @@ TEST_CASE("A change of the frame rate enters the one-euro filter by the time bet
     left *= 1.0 - share(2.0, dt);
     run.record(Frame{time, n, ids, std::vector<BodyState>{at(1.0)}});
   }
-  CHECK(body_in(filtered(run, fixed(2.0)), 60).position_w.x() ==
-        near(1.0 - left).margin(kRounding));
+  CHECK(body_in(filtered(run, fixed(2.0)), 60).position_w.x() == near(1.0 - left, kRounding));
 }
 
 TEST_CASE("The one-euro filter treats a turn about an axis as it treats a move along one",
@@ -114,7 +109,7 @@ TEST_CASE("The one-euro filter treats a turn about an axis as it treats a move a
   for (int n = 0; n < 300; ++n) {
     const Vec3 seen = rotation_vector(body_in(turned, n).orientation_wb);
     widest = std::max(widest, std::abs(seen.z() - angle(n)));
-    CHECK(seen.z() == near(body_in(moved, n).position_w.x()).margin(1e-12));
+    CHECK(seen.z() == near(body_in(moved, n).position_w.x(), 1e-12));
   }
   CHECK(widest > 0.01);  // the filter has an effect
 }
@@ -153,8 +148,7 @@ TEST_CASE("q and -q are one orientation to the one-euro filter", "[exact][filter
 
 TEST_CASE("The one-euro filter leaves a run at rest unchanged and damps chatter",
           "[exact][filtering]") {
-  BodyState still;
-  still.position_w = Vec3(0.1, 1e5, -1e-7);
+  BodyState still{.position_w = Vec3(0.1, 1e5, -1e-7)};
   still.orientation_wb.coeffs() = Vec3(0.1, -0.7, 0.3).homogeneous().normalized() * (1.0 + 4e-10);
   const Trajectory run = run_of(50, [&](int) { return still; });
   for (int n = 0; n < 50; ++n) CHECK(body_in(filtered(run, OneEuroFilter()), n) == still);
@@ -166,8 +160,7 @@ TEST_CASE("The one-euro filter leaves a run at rest unchanged and damps chatter"
 }
 
 TEST_CASE("A one-euro filter refuses parameters out of range", "[unit][filtering]") {
-  for (const double bad :
-       {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double bad : {-1.0, kNan, kInfinity}) {
     CHECK_THROWS_AS(OneEuroFilter({bad, 1.0, 1.0}), std::invalid_argument);
     CHECK_THROWS_AS(OneEuroFilter({1.0, bad, 1.0}), std::invalid_argument);
     CHECK_THROWS_AS(OneEuroFilter({1.0, 1.0, bad}), std::invalid_argument);

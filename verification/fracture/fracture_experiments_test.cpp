@@ -1,7 +1,7 @@
 /// \file
 /// \brief The experiments about fracture, small.
 #include "driver/quick.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble::chapters;
 
@@ -24,11 +24,11 @@ TEST_CASE("A plank of elements and one of glued boxes break where a beam does",
         0.6 * figure.number("load that breaks elements, 1 through the thickness, over the beam's"));
   CHECK(figure.number("place where the finest break, from the middle over the length") < 0.03);
   CHECK(figure.number("load that breaks glued boxes by their stress, over the beam's") ==
-        near(1.0).margin(0.02));
+        near(1.0, 0.02));
   CHECK(figure.number("load that breaks glued boxes by their force, over the beam's") ==
-        near(60.0).margin(1.0));  // 3 L / h
+        near(60.0, 1.0));  // 3 L / h
   CHECK(figure.number("the same at 960 over that at 60") ==
-        near(1.0 / 16.0).margin(0.006));  // in proportion to the step
+        near(1.0 / 16.0, 0.006));  // in proportion to the step
 }
 
 TEST_CASE("Films of a plank and a wall that break keep the mass and are pictures",

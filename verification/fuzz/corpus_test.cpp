@@ -2,8 +2,8 @@
 /// \brief Every committed input of the fuzz targets, replayed: what was once found stays mended.
 #include "fuzz/judged_answer.hpp"
 #include "fuzz/targets.hpp"
-#include "support/catch.hpp"
 #include "support/files.hpp"
+#include "support/test.hpp"
 
 #include <filesystem>
 
@@ -17,7 +17,7 @@ std::vector<std::filesystem::path> inputs_in(std::string_view kind, const Target
   if (!std::filesystem::exists(folder)) return files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 
@@ -64,8 +64,7 @@ TEST_CASE("A refusal has a message without control characters", "[unit][fuzz]") 
 TEST_CASE("An answer that is called solved and is none breaks a promise", "[unit][fuzz]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const LcpProblem problem{MatX::Identity(2, 2), VecX::Constant(2, -1.0), {}};
-  LcpResult result;
-  result.f = {1.0, 1.0};
+  LcpResult result{.f = {1.0, 1.0}};
   CHECK_NOTHROW(require_solved(problem, result, "right"));
   for (const double wrong : {nan, 0.9, 1.1, -1.0}) {
     CAPTURE(wrong);

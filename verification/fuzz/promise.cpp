@@ -12,7 +12,7 @@ void promise(bool holds, const std::string& text) {
 
 void require_message(const std::string& message) {
   promise(!message.empty(), "a refusal without a message");
-  const bool clean = std::none_of(message.begin(), message.end(), [](char c) {
+  const bool clean = std::ranges::none_of(message, [](char c) {
     const auto code = static_cast<unsigned char>(c);
     return (code < 0x20U && c != '\n') || code == 0x7fU;
   });

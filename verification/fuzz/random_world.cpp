@@ -27,7 +27,7 @@ double log_uniform(Random& chance, double low, double high) {
 
 bool overlaps(const SceneBox& box, const std::vector<SceneBox>& others) {
   const Box own = make_box(box.position_w, box.orientation_wb, box.size);
-  return std::any_of(others.begin(), others.end(), [&](const SceneBox& other) {
+  return std::ranges::any_of(others, [&](const SceneBox& other) {
     return separation(own, make_box(other.position_w, other.orientation_wb, other.size)).distance <
            0.0;
   });

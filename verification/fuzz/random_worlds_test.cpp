@@ -1,10 +1,9 @@
 /// \file
 /// \brief Promises of the techniques, on random worlds: few in each run, thousands in the long tests.
 #include "tumble/dynamics/tolerances.hpp"
-#include "tumble/techniques.hpp"
 
 #include "fuzz/random_world.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace tumble::fuzz {
 namespace {
@@ -32,8 +31,7 @@ Worst worst_of(std::string_view technique, std::uint64_t first, std::uint64_t co
 
 // Worlds with the largest ratio of masses, as they are and near the largest and the smallest mass.
 void check_masses(std::string_view technique, std::uint64_t worlds) {
-  WorldRange range;
-  range.mass_ratio = 0.99 * tolerance::largest_mass_ratio;
+  WorldRange range{.mass_ratio = 0.99 * tolerance::largest_mass_ratio};
   for (std::uint64_t seed = 1; seed <= worlds; ++seed) {
     for (const double scale : {1.0, 1e20, 1e-20}) {
       RandomWorld world = random_world(seed, range);
@@ -59,10 +57,7 @@ TEST_CASE("The default technique keeps momentum and books all energy in random w
 }
 
 TEST_CASE("Boxes with unlike masses do not go deep into each other in a step", "[unit][fuzz]") {
-  WorldRange range;
-  range.most_boxes = 30;
-  range.mass_ratio = 1e4;
-  range.edge_ratio = 100.0;
+  WorldRange range{.most_boxes = 30, .mass_ratio = 1e4, .edge_ratio = 100.0};
   // Towers in which every second box moves, and a plate whose corner turns into another box in step 36.
   const std::vector<std::pair<std::uint64_t, int>> worlds = {{41, 1}, {77, 1}, {199, 1}, {0, 37}};
   for (const auto& [seed, steps] : worlds) {
@@ -74,10 +69,7 @@ TEST_CASE("Boxes with unlike masses do not go deep into each other in a step", "
 }
 
 TEST_CASE("Boxes that turn while they touch do not sink into each other", "[unit][fuzz]") {
-  WorldRange range;
-  range.most_boxes = 30;
-  range.mass_ratio = 1e4;
-  range.edge_ratio = 100.0;
+  WorldRange range{.most_boxes = 30, .mass_ratio = 1e4, .edge_ratio = 100.0};
   // Boxes that slide along each other while both turn: without a look at where they come to, up to a tenth of an edge.
   const std::vector<std::pair<std::uint64_t, int>> worlds = {{123, 60}, {211, 48}, {399, 12},
                                                              {799, 60}, {876, 60}, {1347, 60}};
@@ -88,10 +80,7 @@ TEST_CASE("Boxes that turn while they touch do not sink into each other", "[unit
 }
 
 TEST_CASE("Light boxes under heavy ones do not sink step by step", "[unit][fuzz]") {
-  WorldRange range;
-  range.most_boxes = 30;
-  range.mass_ratio = 1e4;
-  range.edge_ratio = 100.0;
+  WorldRange range{.most_boxes = 30, .mass_ratio = 1e4, .edge_ratio = 100.0};
   // Towers that neither sweeps nor the direct solver finish: without normal impulses by themselves, 1.5 to 6.6 % of an edge.
   for (const std::uint64_t seed :
        {432ULL, 542ULL, 758ULL, 1142ULL, 1391ULL, 2288ULL, 2295ULL, 2382ULL, 3618ULL, 3806ULL}) {

@@ -57,7 +57,7 @@ Halves halves_of(Bytes bytes) {
 // Steps in which a body rotates by a thousand radians and more have as many parts; a search that has found such scenes would
 // try little else.
 bool is_slow(const Scene& scene) {
-  return std::any_of(scene.boxes.begin(), scene.boxes.end(), [](const SceneBox& box) {
+  return std::ranges::any_of(scene.boxes, [](const SceneBox& box) {
     return kTimeStep * box.angular_velocity_w.norm() > kFastSpin;
   });
 }

@@ -3,7 +3,7 @@
 #include "driver/quick.hpp"
 #include "geometric_stability/heavy_top_experiments.hpp"
 #include "geometric_stability/tower_experiments.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -11,8 +11,8 @@ using namespace tumble::chapters;
 namespace {
 
 const Table& table_of(const FigureUnderTest& figure, std::string_view suffix) {
-  return *std::find_if(figure.result.tables.begin(), figure.result.tables.end(),
-                       [&](const Table& table) { return table.suffix == suffix; });
+  return *std::ranges::find_if(figure.result.tables,
+                               [&](const Table& table) { return table.suffix == suffix; });
 }
 
 }  // namespace
@@ -20,19 +20,17 @@ const Table& table_of(const FigureUnderTest& figure, std::string_view suffix) {
 TEST_CASE("A staircase of blocks acts on its base as one block with its mass and centre",
           "[claims][geometric_stability]") {
   const FigureUnderTest figure("fig6_4_one_block");
-  CHECK(figure.number("mass of the one block") == near(2.5).margin(1e-12));
+  CHECK(figure.number("mass of the one block") == near(2.5, 1e-12));
   // Five blocks, each 0.18 over the next: the middle one is over by twice as much.
-  CHECK(figure.number("its centre, from the middle of the lowest block") ==
-        near(0.36).margin(1e-12));
+  CHECK(figure.number("its centre, from the middle of the lowest block") == near(0.36, 1e-12));
   CHECK(figure.number("distance of the support force, found block by block, from it") < 1e-9);
   CHECK(figure.number("block of the staircase that tips beyond, counted from below") == 2.0);
   // [-] thresholds by hand; measured 1e-9 off.
-  CHECK(figure.number("overhang up to which the staircase stands, by towers") ==
-        near(0.2).margin(2e-8));
+  CHECK(figure.number("overhang up to which the staircase stands, by towers") == near(0.2, 2e-8));
   CHECK(figure.number("overhang up to which five blocks to and fro stand, by towers") ==
-        near(0.375).margin(2e-8));
+        near(0.375, 2e-8));
   CHECK(figure.number("overhang over an edge that six blocks reach, by towers") ==
-        near(49.0 / 40.0).margin(2e-8));
+        near(49.0 / 40.0, 2e-8));
   CHECK(figure.number("largest relative error of the reach of one to six blocks, by towers") <
         1e-8);
   CHECK(figure.number("the same, by static equilibrium block by block") < 1e-8);
@@ -46,15 +44,13 @@ TEST_CASE("A staircase of blocks acts on its base as one block with its mass and
 TEST_CASE("Of figure 6.5 balance, statics by hand and runs find one threshold",
           "[claims][geometric_stability]") {
   const FigureUnderTest figure("fig6_5_heavy_top");
-  CHECK(figure.number("mass ratio from which it stands, centred") == near(2.0 / 3.0).margin(1e-8));
-  CHECK(figure.number("the same, top block off by 0.2 m") == near(70.0 / 93.0).margin(1e-8));
-  CHECK(figure.number("mass ratio from which friction can hold it, centred") ==
-        near(0.4).margin(1e-8));
+  CHECK(figure.number("mass ratio from which it stands, centred") == near(2.0 / 3.0, 1e-8));
+  CHECK(figure.number("the same, top block off by 0.2 m") == near(70.0 / 93.0, 1e-8));
+  CHECK(figure.number("mass ratio from which friction can hold it, centred") == near(0.4, 1e-8));
   CHECK(figure.number("force on the left block at the limit, off by 0.2 m, over its weight") ==
-        near(1.0 / 3.0).margin(1e-8));
+        near(1.0 / 3.0, 1e-8));
   // (M o + A) / (M - A) with M = 70/93, o = 0.2, A = 1/3.
-  CHECK(figure.number("where the force on the right block acts then") ==
-        near(15.0 / 13.0).margin(1e-7));
+  CHECK(figure.number("where the force on the right block acts then") == near(15.0 / 13.0, 1e-7));
   CHECK(figure.number("acceleration with which the left block of the light case starts to turn") >
         0.0);
   // [-] After two seconds a top that is too light by a thousandth has not moved by a centimetre.
@@ -77,10 +73,10 @@ TEST_CASE("The mass ratio by hand holds on both sides and with any friction",
       INFO("offset " << offset << ", friction " << friction);
       const double hand = mass_ratio_by_hand(offset, friction);
       const int edges = friction > 0.0 ? 8 : 0;
-      CHECK(mass_ratio_by_balance(offset, friction, edges) == near(hand).margin(2e-8 * hand));
+      CHECK(mass_ratio_by_balance(offset, friction, edges) == near(hand, 2e-8 * hand));
       // What of friction is along x all pyramids have: edges do not matter here.
       if (friction > 0.0)
-        CHECK(mass_ratio_by_balance(offset, friction, 16) == near(hand).margin(2e-8 * hand));
+        CHECK(mass_ratio_by_balance(offset, friction, 16) == near(hand, 2e-8 * hand));
     }
 }
 
@@ -98,14 +94,14 @@ TEST_CASE("Rules that go level by level miss the limits of figures 6.4 and 6.5",
           "[claims][geometric_stability]") {
   const FigureUnderTest figure("claim_6_3_1d_equilibrium");
   CHECK(figure.number("mass ratio from which figure 6.5 stands, loads at the middles of areas") ==
-        near(0.8).margin(1e-9));
+        near(0.8, 1e-9));
   CHECK(figure.number("offsets at which own centres let a top of a hundred times the mass stand") ==
         0.0);
   // A staircase of five falls from 1/5 on.
   CHECK(figure.number(
             "overhang up to which a staircase of five stands, loads at the middles of areas") ==
-        near(4.0 / 11.0).margin(1e-9));
-  CHECK(figure.number("the same, own centres") == near(0.5).margin(1e-9));
+        near(4.0 / 11.0, 1e-9));
+  CHECK(figure.number("the same, own centres") == near(0.5, 1e-9));
   CHECK(figure.number("pivots for the pyramid, the test of balance") <
         figure.number("pivots for the pyramid, Baraff's method"));
 }
@@ -116,6 +112,6 @@ TEST_CASE("The rule of middles is exact where a load has to be in the middle",
   const auto stands = [](double overhang) {
     return middles_stand(series_of("staircase", 2, overhang));
   };
-  CHECK(threshold(stands, 0.9, 0.1) == near(0.5).margin(1e-9));
+  CHECK(threshold(stands, 0.9, 0.1) == near(0.5, 1e-9));
   CHECK(std::isnan(threshold(stands, 0.2, 0.1)));
 }

@@ -1,7 +1,7 @@
 /// \file
 /// \brief Figure 5.6 and claim 5.4b.
 #include "driver/quick.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;

@@ -2,12 +2,9 @@
 /// \brief Geometric stability: orders, marks and both definitions.
 #include "tumble/geometric_stability/geometrically_stable.hpp"
 
-#include "tumble/base/random.hpp"
-#include "tumble/contact/gather.hpp"
 #include "tumble/contact/tolerances.hpp"
-#include "tumble/math/rotation.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "support/touching.hpp"
 
 namespace {
@@ -79,7 +76,7 @@ TEST_CASE("The set of stable bodies does not depend on the order of contacts",
       pile.add(Vec3(x, y, 0.0), Vec3(width, 1.0, 1.0));
     }
     const std::string first = pile.both();
-    stable += static_cast<int>(std::count(first.begin(), first.end(), '1'));
+    stable += static_cast<int>(std::ranges::count(first, '1'));
     for (int shuffle = 0; shuffle < 10; ++shuffle) {
       for (std::size_t i = pile.contacts.size(); i > 1; --i)
         std::swap(pile.contacts[i - 1], pile.contacts[random.below(static_cast<std::uint32_t>(i))]);
@@ -152,7 +149,7 @@ TEST_CASE("A verdict names the reason against a body: motion, a side, a support,
     CHECK(verdict(over).corner_xz == Vec2(0.75, 0.625));
     CHECK(words(over) == "the corner at x = 0.75 m, z = 0.625 m is not supported");
   }
-  CHECK_THROWS_WITH(stability.verdict(pile.world, 99), Catch::Matchers::Contains("99"));
+  CHECK_THROWS_WITH(stability.verdict(pile.world, 99), Contains("99"));
 }
 
 TEST_CASE("A prism is judged by the hull under its own outline, and never by four corners",
@@ -165,10 +162,7 @@ TEST_CASE("A prism is judged by the hull under its own outline, and never by fou
   pile.gather();
   const int prism = pile.add(Vec3(0.0, 1.5, 0.0), Vec3(2.0, 1.0, 2.0));
   for (int post = 0; post < 3; ++post) {
-    Contact contact;
-    contact.first = post + 1;
-    contact.second = prism;
-    contact.count = 1;
+    Contact contact{.first = post + 1, .second = prism, .count = 1};
     const Vec2& corner = triangle[static_cast<std::size_t>(post)];
     contact.points[0].position_w = Vec3(corner.x(), 1.0, corner.y());
     pile.contacts.push_back(contact);
@@ -193,7 +187,7 @@ TEST_CASE("A prism is judged by the hull under its own outline, and never by fou
   CHECK(verdict.reason == StabilityReason::corner);
   CHECK(verdict.corner_xz == triangle.back());
   outlines.pop_back();
-  CHECK_THROWS_WITH(is_stable(StableRule::hull), Catch::Matchers::Contains("outlines: 4 for 5"));
+  CHECK_THROWS_WITH(is_stable(StableRule::hull), Contains("outlines: 4 for 5"));
 }
 
 TEST_CASE(
@@ -205,16 +199,14 @@ TEST_CASE(
     pile.world.states()[1].linear_momentum_w = momentum_w;
     pile.world.states()[1].angular_momentum_w = angular_w;
     pile.gather();
-    StabilityTolerances tolerances;
-    tolerances.steady = steady;
-    GeometricStability stability(tolerances);
+    GeometricStability stability({.steady = steady});
     std::vector<char> stable;
     stability.run(pile.world, pile.contacts, StableRule::hull, 0.02, stable);
     CHECK((stable[1] != 0) ==
           (stability.verdict(pile.world, 1).reason == StabilityReason::supported));
     return stable[1] != 0;
   };
-  const double none = std::numeric_limits<double>::infinity();
+  const double none = kInfinity;
   // The limit is 1e-3 sqrt(9.81) = 3.1 mm/s; a cube of 1 kg turns with 6 times its angular momentum, and
   // its corners are 0.87 m away.
   const Vec3 zero = Vec3::Zero();

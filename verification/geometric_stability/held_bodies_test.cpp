@@ -3,13 +3,10 @@
 #include "tumble/analytic_lcp/held_bodies.hpp"
 
 #include "tumble/analytic_lcp/analytic.hpp"
-#include "tumble/base/random.hpp"
-#include "tumble/math/elementary.hpp"
-#include "tumble/scenes/library.hpp"
 
 #include "analytic_lcp/instant.hpp"
-#include "support/catch.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -20,13 +17,11 @@ using test::kG;
 
 constexpr std::array<StableRule, 3> kRules{StableRule::corners, StableRule::hull,
                                            StableRule::equilibrium};
-constexpr double kStep = 1.0 / 60.0;  // [s]
 
 // Three courses of boxes of random widths and masses. Neighbours may touch; upper boxes have random
 // positions, so that some overhang, tip, and push their neighbours aside.
 World random_courses(Random random) {
-  World world;
-  world.add_ground();
+  World world = ground_world();
   double left = 0.0;
   double right = 4.5;
   for (int course = 0; course < 3; ++course) {
@@ -60,8 +55,7 @@ struct Found {
 Found forces_of(const Instant& instant, StableRule rule, const char* solver) {
   ContactForces forces({.solver = solver, .friction = false, .stable_boxes = rule});
   ContactList contacts = instant.contacts;
-  Found found;
-  found.report = forces.solve(instant.world, instant.bodies, contacts, {});
+  Found found{.report = forces.solve(instant.world, instant.bodies, contacts, {})};
   REQUIRE(found.report.status == LcpStatus::solved);
   found.accelerations.assign(forces.accelerations().begin(), forces.accelerations().end());
   found.wrenches.assign(forces.wrenches().begin(), forces.wrenches().end());
@@ -116,16 +110,13 @@ ForceReport check_nothing_changes(const Instant& instant, StableRule rule,
 }
 
 StepReport one_step(Technique& technique, World& world) {
-  const StepReport report = technique.step(world, kStep);
+  const StepReport report = technique.step(world, kFrame);
   REQUIRE(report.status == StepStatus::done);
   return report;
 }
 
 AnalyticOptions options_of(AnalyticFriction friction, StableRule rule) {
-  AnalyticOptions options;
-  options.friction = friction;
-  options.stable_boxes = rule;
-  return options;
+  return AnalyticOptions{.friction = friction, .stable_boxes = rule};
 }
 
 }  // namespace
@@ -140,8 +131,8 @@ TEST_CASE("Leaving stable boxes out changes no acceleration", "[exact][geometric
       for (std::size_t k = 0; k < kRules.size(); ++k)
         left_out[k] += check_nothing_changes(instant, kRules[k]).stable;
       const Found all = forces_of(instant, StableRule::off, "augmented_lagrangian");
-      tip += std::any_of(all.accelerations.begin(), all.accelerations.end(),
-                         [](const Acceleration& a) { return a.linear_w.norm() > 0.01 * kG; });
+      tip += std::ranges::any_of(
+          all.accelerations, [](const Acceleration& a) { return a.linear_w.norm() > 0.01 * kG; });
     }
     // Otherwise nothing would have been tested.
     CHECK(left_out[0] > 100);
@@ -201,11 +192,10 @@ TEST_CASE("Without its stable boxes the pyramid of figure 5.6 has 112 unknown fo
 TEST_CASE("Stable boxes are not left out of forces with Coulomb's friction",
           "[unit][geometric_stability]") {
   for (const StableRule rule : kRules) {
-    ContactForceOptions options;
-    options.stable_boxes = rule;
-    CHECK_THROWS_WITH(ContactForces(options), Catch::Contains("friction=none or friction=damping"));
+    CHECK_THROWS_WITH(ContactForces({.stable_boxes = rule}),
+                      Contains("friction=none or friction=damping"));
     CHECK_THROWS_WITH(Analytic(options_of(AnalyticFriction::coulomb, rule)),
-                      Catch::Contains("stable_boxes=off"));
+                      Contains("stable_boxes=off"));
     CHECK_NOTHROW(Analytic(options_of(AnalyticFriction::none, rule)));
     CHECK_NOTHROW(Analytic(options_of(AnalyticFriction::damping, rule)));
   }
@@ -215,8 +205,7 @@ TEST_CASE("A box that lands on a stable one comes to rest on it, whichever bodie
           "[exact][geometric_stability]") {
   // The second cube lands over the edge of the first one by a quarter, and stays.
   const auto drop = [](StableRule rule) {
-    World world;
-    world.add_ground();
+    World world = ground_world();
     test::add_box(world, Vec3::Ones(), 1.0, Vec3(0.0, 0.5, 0.0));
     test::add_box(world, Vec3::Ones(), 1.0, Vec3(0.25, 1.7, 0.0));
     Analytic analytic(options_of(AnalyticFriction::none, rule));
@@ -228,8 +217,7 @@ TEST_CASE("A box that lands on a stable one comes to rest on it, whichever bodie
     return world;
   };
   const World off = drop(StableRule::off);
-  CHECK(off.states()[2].position_w.y() ==
-        near(1.5).margin(1e-4));  // [m] within the margin of contacts
+  CHECK(off.states()[2].position_w.y() == near(1.5, 1e-4));  // [m] within the margin of contacts
   for (const StableRule rule : kRules) {
     CAPTURE(static_cast<int>(rule));
     const World left = drop(rule);
@@ -240,7 +228,7 @@ TEST_CASE("A box that lands on a stable one comes to rest on it, whichever bodie
       CHECK((a.position_w - c.position_w).norm() <= 1e-9);
       CHECK((a.linear_momentum_w - c.linear_momentum_w).norm() <= 1e-9);
     }
-    CHECK(left.states()[1].position_w.y() == near(0.5).margin(1e-12));
+    CHECK(left.states()[1].position_w.y() == near(0.5, 1e-12));
   }
 }
 
@@ -262,11 +250,11 @@ TEST_CASE("A stable box that slides is left out, and is damped as if it were not
     CAPTURE(static_cast<int>(rule));
     // [kg m/s] the share of 0.5 that remains after a step.
     const World once = slide(rule, 1);
-    CHECK(once.states()[2].linear_momentum_w.x() == near(0.5 * shares.velocity).margin(1e-12));
+    CHECK(once.states()[2].linear_momentum_w.x() == near(0.5 * shares.velocity, 1e-12));
     const World later = slide(rule, 20);
     const World off = slide(StableRule::off, 20);
     CHECK(later.states()[2].linear_momentum_w.x() ==
-          near(0.5 * elementary::pow(shares.velocity, 20.0)).margin(1e-12));
+          near(0.5 * elementary::pow(shares.velocity, 20.0), 1e-12));
     for (int b : {1, 2})
       CHECK((later.states()[idx(b)].position_w - off.states()[idx(b)].position_w).norm() <= 1e-12);
   }

@@ -1,10 +1,8 @@
 /// \file
 /// \brief Runs with stable boxes left out: energy, sliding, gaps, loads, and unwanted braking.
 #include "tumble/analytic_lcp/analytic.hpp"
-#include "tumble/base/index.hpp"
-#include "tumble/contact/gather.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace tumble {
 namespace {
@@ -14,16 +12,12 @@ constexpr std::array kRules = {StableRule::corners, StableRule::hull, StableRule
 
 int add(World& world, const Vec3& size, double mass, const Vec3& position_w,
         const Vec3& velocity_w = Vec3::Zero(), const Quat& turned = Quat::Identity()) {
-  const BodyProperties body = box_properties(size, mass);
-  world.add(body, make_state(body, position_w, turned, velocity_w));
+  world.add(box_properties(size, mass), position_w, turned, velocity_w);
   return world.count() - 1;
 }
 
 Analytic technique(StableRule rule, AnalyticFriction friction = AnalyticFriction::none) {
-  AnalyticOptions options;
-  options.friction = friction;
-  options.stable_boxes = rule;
-  return Analytic(options);
+  return Analytic({.friction = friction, .stable_boxes = rule});
 }
 
 double energy(const World& world) {
@@ -56,13 +50,11 @@ double unbooked(World world, StableRule rule, int steps) {
 TEST_CASE("The energy that holding stable boxes removes is booked",
           "[exact][geometric_stability]") {
   for (const StableRule rule : kRules) {
-    World heavy;
-    heavy.add_ground();
+    World heavy = test::ground_world();
     add(heavy, Vec3::Ones(), 1000.0, Vec3(0.0, 0.5, 0.0), Vec3(0.0, -0.9e-3, 0.0));
     CHECK(unbooked(heavy, rule, 30) < 1e-9);  // [J] of 10 kJ; measured 4e-12
 
-    World sliding;
-    sliding.add_ground();
+    World sliding = test::ground_world();
     add(sliding, Vec3(4.0, 1.0, 2.0), 8.0, Vec3(0.0, 0.5, 0.0));
     add(sliding, Vec3::Ones(), 1.0, Vec3(-1.0, 1.5, 0.0), Vec3(0.5, 0.0, 0.0));
     add(sliding, Vec3(0.5, 0.5, 0.5), 0.2, Vec3(-1.0, 2.25, 0.0), Vec3(0.7, 0.0, 0.0));
@@ -73,8 +65,7 @@ TEST_CASE("The energy that holding stable boxes removes is booked",
 TEST_CASE("Boxes that slide along each other or along a wall are not braked by being left out",
           "[exact][geometric_stability]") {
   for (const StableRule rule : kRules) {
-    World world;
-    world.add_ground();
+    World world = test::ground_world();
     const int first = add(world, Vec3::Ones(), 1.0, Vec3(0.0, 0.5, 0.0), Vec3(0.0, 0.0, 2e-3));
     add(world, Vec3::Ones(), 1.0, Vec3(1.0, 0.5, 0.0), Vec3(0.0, 0.0, 2e-3));
     Analytic analytic = technique(rule);
@@ -85,11 +76,9 @@ TEST_CASE("Boxes that slide along each other or along a wall are not braked by b
 
 TEST_CASE("Between boxes that are left out no force of an earlier instant is left",
           "[unit][geometric_stability]") {
-  World world;
-  world.add_ground();
+  World world = test::ground_world();
   add(world, Vec3::Ones(), 1.0, Vec3(0.0, 0.5, 0.0));
-  std::vector<MovingBody> bodies;
-  load_moving_bodies(world, bodies);
+  std::vector<MovingBody> bodies = test::moving_bodies(world);
   ContactList contacts;
   const std::array pairs = {IndexPair{0, 1}};
   gather_contacts(world, bodies, pairs, 1e-9, {}, contacts);
@@ -105,8 +94,7 @@ TEST_CASE("Between boxes that are left out no force of an earlier instant is lef
 TEST_CASE("Damping does not brake boxes that have no weight, whichever bodies are left out",
           "[exact][geometric_stability]") {
   for (const StableRule rule : {StableRule::off, StableRule::corners, StableRule::equilibrium}) {
-    World world;
-    world.gravity_w = Vec3::Zero();
+    World world = test::weightless_world();
     world.add_ground();
     add(world, Vec3(4.0, 1.0, 1.0), 4.0, Vec3(0.0, 0.5, 0.0));
     const int cube = add(world, Vec3::Ones(), 1.0, Vec3(0.0, 1.5, 0.0), Vec3(1.0, 0.0, 0.0));
@@ -126,7 +114,7 @@ TEST_CASE("A light box under a heavy one is held only if its support is that muc
   for (const double mass : {1.0, 1e4}) {
     World world;
     const BodyProperties floor = fixed_box_properties(Vec3(10.0, 1.0, 10.0));
-    world.add(floor, make_state(floor, Vec3::Zero(), turned));
+    world.add(floor, Vec3::Zero(), turned);
     const int light = add(world, Vec3::Ones(), 1.0, 1.0 * up, Vec3::Zero(), turned);
     add(world, Vec3::Ones(), mass, 2.0 * up, Vec3::Zero(), turned);
     Analytic analytic = technique(StableRule::hull);
@@ -138,8 +126,7 @@ TEST_CASE("A light box under a heavy one is held only if its support is that muc
 TEST_CASE("A box above a closing gap is not held until the gap has closed",
           "[exact][geometric_stability]") {
   for (const StableRule rule : kRules) {
-    World world;
-    world.add_ground();
+    World world = test::ground_world();
     const int box = add(world, Vec3::Ones(), 1.0, Vec3(0.0, 0.5 + 5e-5, 0.0));
     Analytic analytic = technique(rule);
     analytic.step(world, kStep);

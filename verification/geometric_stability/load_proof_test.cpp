@@ -2,9 +2,7 @@
 /// \brief Load-proof bodies: motion, and contacts from outside.
 #include "tumble/geometric_stability/load_proof.hpp"
 
-#include "tumble/contact/gather.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "support/touching.hpp"
 
 namespace tumble {
@@ -18,8 +16,7 @@ struct Cubes {
   explicit Cubes(const std::vector<Vec3>& feet) {
     world.add_ground();
     for (const Vec3& foot : feet)
-      world.add(box_properties(Vec3::Ones(), 1.0),
-                make_state(box_properties(Vec3::Ones(), 1.0), foot + Vec3(0.0, 0.5, 0.0)));
+      world.add(box_properties(Vec3::Ones(), 1.0), foot + Vec3(0.0, 0.5, 0.0));
     find_contacts();
   }
 
@@ -61,8 +58,7 @@ TEST_CASE("Cubes side by side are load-proof until one of them is not",
 TEST_CASE("A ceiling that presses is no harm, gravity from the side is",
           "[unit][geometric_stability]") {
   Cubes cubes({Vec3::Zero()});
-  const BodyProperties slab = fixed_box_properties(Vec3(3.0, 1.0, 3.0));
-  cubes.world.add(slab, make_state(slab, Vec3(0.0, 1.5, 0.0)));
+  cubes.world.add(fixed_box_properties(Vec3(3.0, 1.0, 3.0)), Vec3(0.0, 1.5, 0.0));
   cubes.find_contacts();
   CHECK(cubes.contacts.size() == 2);
   CHECK(cubes.load_proof() == 2);  // the ceiling counted

@@ -1,9 +1,7 @@
 /// \file
 /// \brief Random piles: their boxes, those that rest, and all ways to classify them (thesis 5.4, 6.3.1).
-#include "tumble/base/index.hpp"
 #include "tumble/geometric_stability/load_proof.hpp"
 #include "tumble/geometric_stability/static_equilibrium.hpp"
-#include "tumble/geometry/separation.hpp"
 
 #include "driver/quick.hpp"
 #include "geometric_stability/disputes.hpp"
@@ -13,7 +11,7 @@
 #include "geometric_stability/pile_loads.hpp"
 #include "geometric_stability/prisms.hpp"
 #include "geometric_stability/random_piles.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -47,8 +45,7 @@ std::vector<std::vector<Wrench>> single_loads(const World& world) {
 
 TEST_CASE("Boxes of a random pile rest on one another without overlap and without a gap",
           "[unit][geometric_stability]") {
-  const SeparationOptions exact{.prefer_faces = false,
-                                .enough = std::numeric_limits<double>::infinity()};
+  const SeparationOptions exact{.prefer_faces = false, .enough = kInfinity};
   int vertical = 0;
   int others = 0;
   for (int seed = 1; seed <= kPiles; ++seed) {

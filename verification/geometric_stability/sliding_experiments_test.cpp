@@ -2,7 +2,7 @@
 /// \brief Claim 5.4d: a stable box slides and is damped, until a corner leaves its support.
 #include "driver/quick.hpp"
 #include "geometric_stability/sliding_run.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -19,11 +19,11 @@ TEST_CASE("A stable box slides and is damped in each step but the first, which i
           "[claims][geometric_stability]") {
   const FigureUnderTest quick("claim_5_4d_sliding");
   // Three runs of 7, 6 and 6 steps.
-  CHECK(quick.number(kShare) == near(16.0 / 19.0).margin(1e-15));
+  CHECK(quick.number(kShare) == near(16.0 / 19.0, 1e-15));
   CHECK(quick.number("the same, without the first step of each run") == 1.0);
   CHECK(quick.number("largest change of the speed until then with no body marked") < 1e-3);  // m/s
   CHECK(quick.number("speed as a corner leaves, analytic forces without friction, over that at the "
-                     "start") == near(1.0).margin(1e-12));
+                     "start") == near(1.0, 1e-12));
   // Whatever the constants: one step of each run is lost, so the share depends on the length of the runs.
   for (const double k_scale : {0.5, 1.0, 2.0}) {
     for (const double scale : {0.5, 1.0, 2.0}) {

@@ -1,10 +1,9 @@
 /// \file
 /// \brief The listing SETGEOMETRICALLYSTABLE as printed, with and without its misprints.
-#include "tumble/contact/gather.hpp"
 #include "tumble/geometric_stability/as_printed/printed_contacts.hpp"
 #include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "support/touching.hpp"
 
 using namespace tumble;
@@ -29,16 +28,14 @@ std::vector<bool> stable(const World& world, const ContactList& contacts,
 }
 
 void add_cube(World& world, const Vec3& place_w) {
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  world.add(cube, make_state(cube, place_w));
+  world.add(box_properties(Vec3::Ones(), 1.0), place_w);
 }
 
 }  // namespace
 
 TEST_CASE("As printed, a stack of cubes is stable from the ground up",
           "[exact][geometric_stability]") {
-  World world;
-  world.add_ground();
+  World world = ground_world();
   for (int k = 0; k < 4; ++k) add_cube(world, Vec3(0.0, 0.5 + k, 0.0));
   const std::vector<bool> every(5, true);
   CHECK(stable(world, contacts_within(world, 1e-9), {}) == every);
@@ -63,12 +60,10 @@ TEST_CASE("As printed, a plank across two cubes is stable if rounding is allowed
   world.add_ground();
   add_cube(world, Vec3(-1.0, 0.5, 0.0));
   add_cube(world, Vec3(1.0, 0.5, 0.0));
-  const BodyProperties plank = box_properties(Vec3(2.5, 0.25, 0.5), 1.0);
-  world.add(plank, make_state(plank, Vec3(0.0, 1.125, 0.0)));
+  world.add(box_properties(Vec3(2.5, 0.25, 0.5), 1.0), Vec3(0.0, 1.125, 0.0));
   // Its corners lie in larger faces: contact points are below them up to rounding (G8).
-  PrintedStabilityRepairs tolerant;
-  tolerant.tolerances = true;
-  CHECK(stable(world, contacts_within(world, 1e-9), tolerant) == std::vector<bool>(4, true));
+  CHECK(stable(world, contacts_within(world, 1e-9), {.tolerances = true}) ==
+        std::vector<bool>(4, true));
   CHECK(stable(world, contacts_within(world, 1e-9), {}) ==
         std::vector<bool>{true, true, true, false});
 }
@@ -80,16 +75,14 @@ TEST_CASE("Mended, the order of contacts does not change which bodies are stable
     return std::pair(a.first, a.second) < std::pair(b.first, b.second);
   };
   for (const bool block_first : {true, false}) {
-    World world;
-    world.add_ground();
+    World world = ground_world();
     const BodyProperties block = fixed_box_properties(Vec3::Ones());
-    const auto add_block = [&] { world.add(block, make_state(block, Vec3(-2.0, 0.5, 0.0))); };
+    const auto add_block = [&] { world.add(block, Vec3(-2.0, 0.5, 0.0)); };
     if (block_first) add_block();
     add_cube(world, Vec3(-1.0, 0.5, 0.0));
     if (!block_first) add_block();
     add_cube(world, Vec3(1.0, 0.5, 0.0));
-    const BodyProperties plank = box_properties(Vec3(4.0, 0.25, 1.0), 1.0);
-    world.add(plank, make_state(plank, Vec3(-0.5, 1.125, 0.0)));
+    world.add(box_properties(Vec3(4.0, 0.25, 1.0), 1.0), Vec3(-0.5, 1.125, 0.0));
     ContactList contacts = contacts_within(world, 1e-9);
     const std::vector<bool> expected = {true, block_first, !block_first, true, false};
     const std::vector<bool> printed = stable(world, contacts, {});
@@ -114,11 +107,9 @@ TEST_CASE("A list of bodies of the wrong length is refused", "[unit][geometric_s
   add_cube(world, Vec3::Zero());
   std::vector<PrintedStability> none;
   CHECK_THROWS_WITH(set_geometrically_stable_as_printed(world, {}, all, none),
-                    Catch::Matchers::Contains("bodies: 0 entries for 1 bodies"));
-  Contact beyond;
-  beyond.second = 1;
-  beyond.count = 1;
+                    Contains("bodies: 0 entries for 1 bodies"));
+  Contact beyond{.second = 1, .count = 1};
   std::vector<PrintedStability> one(1);
   CHECK_THROWS_WITH(set_geometrically_stable_as_printed(world, {&beyond, 1}, all, one),
-                    Catch::Matchers::Contains("contact of body 1: there are 1"));
+                    Contains("contact of body 1: there are 1"));
 }

@@ -2,11 +2,7 @@
 /// \brief Held bodies: the levels of the hierarchy, and the memory.
 #include "tumble/geometric_stability/stable_boxes.hpp"
 
-#include "tumble/base/random.hpp"
-#include "tumble/contact/gather.hpp"
-#include "tumble/math/rotation.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "support/touching.hpp"
 
 namespace {
@@ -26,12 +22,10 @@ struct Structure {
 
   Structure() { world.add_ground(0.0); }
   BodyId add(const Vec3& position_w, const Vec3& size = Vec3::Ones(), double mass = 1.0) {
-    const BodyProperties body = box_properties(size, mass, 0.0);
-    return world.add(body, make_state(body, position_w));
+    return world.add(box_properties(size, mass, 0.0), position_w);
   }
   BodyId add_fixed(const Vec3& position_w, const Vec3& size, const Quat& q = Quat::Identity()) {
-    const BodyProperties body = fixed_box_properties(size, 0.0);
-    return world.add(body, make_state(body, position_w, q));
+    return world.add(fixed_box_properties(size, 0.0), position_w, q);
   }
   void gather() {
     load_moving_bodies(world, moving);

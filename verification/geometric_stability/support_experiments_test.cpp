@@ -1,7 +1,7 @@
 /// \file
 /// \brief Figures 5.3 to 5.5: verdicts as their captions have them, and what the contact forces say.
 #include "driver/quick.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
@@ -51,7 +51,7 @@ TEST_CASE("The top box of figure 5.3 has one carried corner and is not stable, a
   // Not turned, a square of 0.6 m is carried.
   const FigureUnderTest straight("fig5_3_one_corner", {"shift=0.4", "yaw=0"});
   CHECK(straight.number(kCorners) == 1.0);
-  CHECK(straight.number(kArea) == near(0.36).margin(1e-12));
+  CHECK(straight.number(kArea) == near(0.36, 1e-12));
 }
 
 TEST_CASE(
@@ -60,7 +60,7 @@ TEST_CASE(
     "[exact][geometric_stability]") {
   const FigureUnderTest figure("fig5_3_one_corner", {"shift=0.4"});
   // [m] The corner is half an edge from the middle; the search ends at 1e-9.
-  CHECK(figure.number("shift from which its own weight tips it") == near(0.5).margin(2e-9));
+  CHECK(figure.number("shift from which its own weight tips it") == near(0.5, 2e-9));
   CHECK(figure.number(kOwn) < kStill);
   CHECK(figure.number(kLoaded) > 1.0);
   CHECK(verdict_of(figure) == 0.0);
@@ -87,7 +87,7 @@ TEST_CASE("The top box of figure 5.4 is stable if the bottom one is, as its capt
     CHECK(figure.number("stable by the hull, with nothing under the bottom box") == 0.0);
     // Both fall.
     CHECK(figure.number("largest acceleration of its corners under its own weight, with nothing "
-                        "under the bottom box, over g") == near(1.0).margin(kStill));
+                        "under the bottom box, over g") == near(1.0, kStill));
   }
 }
 

@@ -2,10 +2,7 @@
 /// \brief Hulls and distances in the plane, lower corners of a box.
 #include "tumble/geometric_stability/support_polygon.hpp"
 
-#include "tumble/base/random.hpp"
-#include "tumble/math/rotation.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -22,7 +19,7 @@ double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(
 // [m] Distance to the nearest of many points of the edges; 0 inside.
 double sampled_distance(const std::vector<Vec2>& hull, const Vec2& p) {
   bool inside = true;
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = kInfinity;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2& a = hull[i];
     const Vec2& b = hull[(i + 1) % hull.size()];
@@ -80,7 +77,7 @@ TEST_CASE("A margin widens a hull on all sides, and gives nothing to an empty on
   CHECK(hull_contains(line, Vec2(2.0, 0.5), 0.5));
   CHECK(hull_contains(line, Vec2(4.5, 0.0), 0.5));
   CHECK_FALSE(hull_contains(line, Vec2(4.5, 0.5), 0.5));  // round at the ends: 0.71 away
-  CHECK_FALSE(hull_contains({}, Vec2::Zero(), std::numeric_limits<double>::infinity()));
+  CHECK_FALSE(hull_contains({}, Vec2::Zero(), kInfinity));
 }
 
 TEST_CASE("Hulls of random points are convex, counterclockwise, and hold every point in any order",
@@ -100,8 +97,7 @@ TEST_CASE("Hulls of random points are convex, counterclockwise, and hold every p
       const Vec2& b = hull[(i + 1) % hull.size()];
       CHECK(cross(b - hull[i], hull[(i + 2) % hull.size()] - b) > 0.0);
     }
-    for (const Vec2& corner : hull)
-      CHECK(std::find(points.begin(), points.end(), corner) != points.end());
+    for (const Vec2& corner : hull) CHECK(std::ranges::find(points, corner) != points.end());
     for (const Vec2& p : points) CHECK(distance_to_hull(hull, p) == 0.0);
     for (std::size_t i = points.size(); i > 1; --i)
       std::swap(points[i - 1], points[random.below(static_cast<std::uint32_t>(i))]);
@@ -131,11 +127,11 @@ TEST_CASE("The lower corners of a box are those of the face that looks down, in 
     INFO(degrees.transpose());
     for (std::size_t k = 0; k < 4; ++k) {
       const Vec2 from_centre = corners[k] - Vec2(3.0, -1.0);
-      CHECK(std::abs(from_centre.x()) == near(reach.x()).margin(1e-14));  // [m] rounding
-      CHECK(std::abs(from_centre.y()) == near(reach.y()).margin(1e-14));
+      CHECK(std::abs(from_centre.x()) == near(reach.x(), 1e-14));  // [m] rounding
+      CHECK(std::abs(from_centre.y()) == near(reach.y(), 1e-14));
       // Neighbours share an edge, so they differ in one coordinate only.
       const Vec2 step = corners[(k + 1) % 4] - corners[k];
-      CHECK(std::min(std::abs(step.x()), std::abs(step.y())) == near(0.0).margin(1e-14));
+      CHECK(std::min(std::abs(step.x()), std::abs(step.y())) == near(0.0, 1e-14));
       CHECK(step.norm() > 0.9);
     }
   }
@@ -143,5 +139,5 @@ TEST_CASE("The lower corners of a box are those of the face that looks down, in 
   const Box tilted{Vec3::Zero(), rotation_from_degrees(Vec3(0, 0, 20)).toRotationMatrix(), half};
   double sum = 0.0;
   for (const Vec2& corner : lower_corners(tilted)) sum += 0.25 * corner.x();
-  CHECK(sum == near(0.34202014332566873).margin(1e-14));
+  CHECK(sum == near(0.34202014332566873, 1e-14));
 }

@@ -2,13 +2,9 @@
 /// \brief Towers as one heavier block: closed forms, loads, shapes without towers, orders.
 #include "tumble/geometric_stability/towers.hpp"
 
-#include "tumble/base/index.hpp"
-#include "tumble/base/random.hpp"
-#include "tumble/contact/gather.hpp"
 #include "tumble/geometric_stability/static_equilibrium.hpp"
-#include "tumble/math/elementary.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "support/touching.hpp"
 
 namespace {
@@ -35,9 +31,7 @@ struct Pile : test::Pile {
   bool in_balance() {
     if (contacts.empty()) gather();
     StaticEquilibrium equilibrium;
-    BalanceTask task;
-    task.contacts = contacts;
-    return equilibrium.solve(world, task).balanced;
+    return equilibrium.solve(world, {.contacts = contacts}).balanced;
   }
 };
 
@@ -64,7 +58,7 @@ Pile blocks_over_edge(int blocks, double scale) {
 TEST_CASE("A tower stands as long as the centre of the load is above each support",
           "[exact][geometric_stability]") {
   SECTION("blocks over an edge reach a half of the harmonic sum") {
-    CHECK(harmonic_overhang(6) == near(49.0 / 40.0).margin(1e-15));
+    CHECK(harmonic_overhang(6) == near(49.0 / 40.0, 1e-15));
     for (int n = 1; n <= 6; ++n) {
       INFO(n << " blocks");
       // [-] A millionth of the reach, on both sides.
@@ -122,7 +116,7 @@ TEST_CASE("A tower stands as long as the centre of the load is above each suppor
         } else if (inside > 1e-6) {
           CHECK(towers.states()[idx(b)] == TowerState::supported);
           CHECK(towers.supports()[idx(b)] == b - 1);
-          CHECK(towers.loads()[idx(b)].mass == near(mass).margin(1e-12 * mass));
+          CHECK(towers.loads()[idx(b)].mass == near(mass, 1e-12 * mass));
           CHECK((towers.loads()[idx(b)].centre_w() - centre_w).norm() < 1e-12 * top);
         } else if (inside < -1e-6) {
           CHECK(towers.states()[idx(b)] == TowerState::tips);
@@ -159,12 +153,12 @@ TEST_CASE("A box on two others, or touched from the side, is no part of a tower"
   // A body below a box that is not in a tower has not all its loads.
   CHECK(state(left) == TowerState::none);
   CHECK(state(right) == TowerState::none);
-  CHECK(towers.loads()[idx(across)].mass == near(2.0).margin(1e-15));
+  CHECK(towers.loads()[idx(across)].mass == near(2.0, 1e-15));
   // Side by side: both may be pushed aside. A box on one of them is still its load.
   CHECK(state(alone) == TowerState::none);
   CHECK(state(touches) == TowerState::none);
   CHECK(state(on_alone) == TowerState::supported);
-  CHECK(towers.loads()[idx(alone)].mass == near(2.0).margin(1e-15));
+  CHECK(towers.loads()[idx(alone)].mass == near(2.0, 1e-15));
 }
 
 TEST_CASE("A held body counts as ground, not as a load", "[unit][geometric_stability]") {
@@ -205,5 +199,5 @@ TEST_CASE("A support given as two contacts holds as much as the two together",
   pile.contacts.push_back(other);
   CHECK(pile.stands());
   const Towers towers = pile.towers();
-  CHECK(towers.loads()[1].mass == near(2.0).margin(1e-15));  // once, not once for each contact
+  CHECK(towers.loads()[1].mass == near(2.0, 1e-15));  // once, not once for each contact
 }

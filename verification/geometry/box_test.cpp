@@ -2,18 +2,13 @@
 /// \brief Corners, reach and bounds of a box.
 #include "tumble/geometry/box.hpp"
 
-#include "tumble/base/random.hpp"
-
 #include "geometry/boxes.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // [-] Sums of three products of numbers of order 10: a few times 1e-16 times 10.
 constexpr double kRounding = 2e-14;

@@ -78,8 +78,7 @@ inline std::vector<Box> ring_of_sticks() {
     const Vec3 along(-std::sin(angle), std::cos(angle), 0.0);
     // Tilted: one end is nearer to the viewer, at +z, than the other.
     const Vec3 axis = (along + 0.3 * Vec3::UnitZ()).normalized();
-    Box stick;
-    stick.center_w = 0.5 * outwards;
+    Box stick{.center_w = 0.5 * outwards};
     stick.axes_w.col(0) = axis;
     stick.axes_w.col(1) = outwards;
     stick.axes_w.col(2) = axis.cross(outwards);

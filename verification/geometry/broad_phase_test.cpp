@@ -2,18 +2,13 @@
 /// \brief Broad phases, one answer.
 #include "tumble/geometry/broad_phase.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/geometry/all_pairs.hpp"
-#include "tumble/math/elementary.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Methods = std::vector<std::unique_ptr<BroadPhase>>;
 

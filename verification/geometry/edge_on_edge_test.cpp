@@ -3,15 +3,9 @@
 #include "tumble/geometry/edge_on_edge.hpp"
 
 #include "tumble/geometry/manifold.hpp"
-#include "tumble/math/rotation.hpp"
-#include "tumble/techniques.hpp"
 
 #include "geometry/boxes.hpp"
-#include "support/catch.hpp"
-
-#include <cmath>
-#include <memory>
-#include <numbers>
+#include "support/test.hpp"
 
 namespace {
 
@@ -33,8 +27,7 @@ BodyState leaning(const BodyProperties& card, double angle, double gap, double s
 }
 
 World tent(double angle, double gap, double friction, double yaw) {
-  World world;
-  world.add_ground(friction, 0.0);
+  World world = ground_world(friction, 0.0);
   const BodyProperties card = box_properties(kCard, 0.3, friction);
   for (const double side : {1.0, -1.0}) world.add(card, leaning(card, angle, gap, side, yaw));
   return world;

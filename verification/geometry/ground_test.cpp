@@ -2,11 +2,9 @@
 /// \brief Boxes on the ground: which corners touch, and how deep.
 #include "tumble/geometry/ground.hpp"
 
-#include "tumble/base/random.hpp"
-
 #include "geometry/boxes.hpp"
-#include "support/catch.hpp"
 #include "support/pose.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -50,7 +48,7 @@ TEST_CASE("A cube on an edge touches in two points, on a corner in one, above th
   const double reach_down = std::sqrt(0.75);
   CHECK(collide_with_ground(make_box({0, reach_down - 1e-6, 0}, on_corner, Vec3::Ones()), 0.0, m));
   CHECK(m.count == 1);
-  CHECK(point(m, 0).distance == near(-1e-6).margin(1e-15));
+  CHECK(point(m, 0).distance == near(-1e-6, 1e-15));
   CHECK(point(m, 0).position_w.head<1>().norm() < 1e-15);
   CHECK_FALSE(
       collide_with_ground(make_box({0, reach_down + 1e-6, 0}, on_corner, Vec3::Ones()), 0.0, m));
@@ -76,14 +74,14 @@ TEST_CASE("The lowest corner of any box is among its points", "[unit][ground]") 
     const Vec3 size = random.in_cube(1.0).cwiseAbs() + Vec3::Constant(0.01);
     const Vec3 center = random.in_cube(0.6);
     const Box box = make_box(center, q, size);
-    double lowest = std::numeric_limits<double>::infinity();
+    double lowest = kInfinity;
     for (const Vec3& corner : corners_of(box)) lowest = std::min(lowest, corner.y());
     Manifold m;
     const bool touches = collide_with_ground(box, 0.01, m);
     if (touches != (lowest <= 0.01)) ++missed;
     if (!touches) continue;
     ++touching;
-    double found = std::numeric_limits<double>::infinity();
+    double found = kInfinity;
     std::set<FeatureId> names;
     for (int i = 0; i < m.count; ++i) {
       found = std::min(found, point(m, i).distance);
@@ -104,9 +102,7 @@ TEST_CASE("The lowest corner of any box is among its points", "[unit][ground]") 
 TEST_CASE("A negative or infinite margin above the ground is refused", "[unit][ground]") {
   Manifold m;
   const Box box;
-  CHECK_THROWS_WITH(collide_with_ground(box, -1.0, m), Catch::Contains("margin = -1"));
-  CHECK_THROWS_AS(collide_with_ground(box, std::numeric_limits<double>::infinity(), m),
-                  std::invalid_argument);
-  CHECK_THROWS_AS(collide_with_ground(box, std::numeric_limits<double>::quiet_NaN(), m),
-                  std::invalid_argument);
+  CHECK_THROWS_WITH(collide_with_ground(box, -1.0, m), Contains("margin = -1"));
+  CHECK_THROWS_AS(collide_with_ground(box, kInfinity, m), std::invalid_argument);
+  CHECK_THROWS_AS(collide_with_ground(box, kNan, m), std::invalid_argument);
 }

@@ -1,12 +1,11 @@
 /// \file
 /// \brief Contact points of boxes that are almost aligned lie on both boxes.
-#include "tumble/base/random.hpp"
 #include "tumble/geometry/manifold.hpp"
 #include "tumble/geometry/nearest_point.hpp"
 #include "tumble/geometry/signed_distance.hpp"
 
 #include "geometry/boxes.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -74,9 +73,8 @@ struct Counts {
 void count(const Pair& pair, double margin, Counts& counts) {
   Manifold m;
   if (!collide(pair.first, pair.second, margin, kNoAxis, m)) {
-    SeparationOptions exact;
-    exact.prefer_faces = false;
-    if (separation(pair.first, pair.second, exact).distance <= 0.0) ++counts.missed;
+    if (separation(pair.first, pair.second, {.prefer_faces = false}).distance <= 0.0)
+      ++counts.missed;
     return;
   }
   ++counts.touching;
@@ -133,9 +131,7 @@ TEST_CASE("Edges turned by 1e-9 rad touch in the middle of the stretch that they
   // The edges along y of two boxes lie beside each other from y = 0 to 0.5.
   const Box lower = cube_at(Vec3::Zero());
   const Box upper = make_box({1.0, 0.3, 1.0}, about({1.0, 0.0, 1.0}, 1e-9), {1.0, 0.6, 1.0});
-  Separation edges;
-  edges.axis = 6 + 3 * 1 + 1;
-  edges.normal_w = Vec3(1.0, 0.0, 1.0).normalized();
+  Separation edges{.normal_w = Vec3(1.0, 0.0, 1.0).normalized(), .axis = 6 + 3 * 1 + 1};
   Manifold m;
   find_manifold(lower, upper, edges, 0.1, m);
   REQUIRE(m.count == 1);
@@ -155,8 +151,7 @@ TEST_CASE("Boxes apart with two edges side by side touch at both ends of the str
   CHECK(m.points[0].feature != m.points[1].feature);
   CHECK(std::abs(m.points[0].position_w.x()) < 1e-12);
   CHECK(std::abs(m.points[1].position_w.x()) < 1e-12);
-  CHECK(std::abs(m.points[0].position_w.z() - m.points[1].position_w.z()) ==
-        near(1.25).margin(1e-12));
+  CHECK(std::abs(m.points[0].position_w.z() - m.points[1].position_w.z()) == near(1.25, 1e-12));
 }
 
 TEST_CASE("A corner that comes down beside a face is seen before it is in", "[unit][manifold]") {

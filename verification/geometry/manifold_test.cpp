@@ -2,18 +2,14 @@
 /// \brief Contact areas of two boxes: closed forms, symmetries, and the degenerate cases.
 #include "tumble/geometry/manifold.hpp"
 
-#include "tumble/base/random.hpp"
-
 #include "geometry/boxes.hpp"
-#include "support/catch.hpp"
 #include "support/pose.hpp"
+#include "support/test.hpp"
 
 namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 const ManifoldPoint& point(const Manifold& m, int i) {
   return m.points[static_cast<std::size_t>(i)];
@@ -131,11 +127,11 @@ TEST_CASE("The contact of two stacked cubes has the area in which their faces ov
     const Manifold m = collided(lower, upper);
     CAPTURE(c.area);
     CHECK(m.count == c.points);
-    CHECK(area_from_above(m) == near(c.area).margin(3e-12));  // digits given, clip slack
+    CHECK(area_from_above(m) == near(c.area, 3e-12));  // digits given, clip slack
     CHECK((m.normal_w - Vec3::UnitY()).norm() < 1e-15);
     for (int i = 0; i < m.count; ++i) {
-      CHECK(point(m, i).distance == near(-0.01).margin(1e-15));
-      CHECK(point(m, i).position_w.y() == near(0.495).margin(1e-15));
+      CHECK(point(m, i).distance == near(-0.01, 1e-15));
+      CHECK(point(m, i).position_w.y() == near(0.495, 1e-15));
     }
   }
 }
@@ -147,7 +143,7 @@ TEST_CASE("Two crossing edges touch in the one point between them", "[exact][man
   REQUIRE(m.count == 1);
   CHECK(m.axis == 6 + 3 * 2 + 0);
   CHECK((m.normal_w - Vec3::UnitY()).norm() < 1e-15);
-  CHECK(point(m, 0).distance == near(1.4 - std::sqrt(2.0)).margin(1e-15));
+  CHECK(point(m, 0).distance == near(1.4 - std::sqrt(2.0), 1e-15));
   // The lower edge runs along z at x = 0, the upper along x at z = 0.2; halfway in height.
   CHECK((point(m, 0).position_w - Vec3(0.0, 0.7, 0.2)).norm() < 1e-15);
 }
@@ -223,7 +219,7 @@ TEST_CASE("Faces that meet in a line have two points, in a corner one", "[exact]
   const Manifold corner =
       collided(lower, cube_at({0.1, 0.5 + std::sqrt(0.75) - 1e-6, 0}, on_corner));
   CHECK(corner.count == 1);
-  CHECK(deepest(corner) == near(-1e-6).margin(1e-15));
+  CHECK(deepest(corner) == near(-1e-6, 1e-15));
 }
 
 TEST_CASE("Face to face, the order of the boxes turns only the normal", "[unit][manifold]") {
@@ -262,10 +258,8 @@ TEST_CASE("Every overlap has a point, and every point is where it says", "[unit]
     const double margin = n % 3 == 0 ? 0.0 : 0.01;
 
     // The exact axis: then the deepest point is as deep as the boxes.
-    SeparationOptions exact;
-    exact.prefer_faces = false;
-    exact.enough = kInfinity;
-    const Separation found = separation(pair.a, pair.b, exact);
+    const Separation found =
+        separation(pair.a, pair.b, {.prefer_faces = false, .enough = kInfinity});
     Manifold m;
     find_manifold(pair.a, pair.b, found, margin, m);
     if (found.distance <= 0.0) {
@@ -363,8 +357,7 @@ TEST_CASE("A point is called the same whichever face is the reference", "[unit][
 
 TEST_CASE("Flipping a contact twice gives it back", "[unit][manifold]") {
   for (AxisIndex axis = kNoAxis; axis < 15; ++axis) {
-    Manifold m;
-    m.axis = axis;
+    Manifold m{.axis = axis};
     flip(m);
     CHECK(m.normal_w == -Vec3::UnitY());
     if (axis == 2) CHECK(m.axis == 5);
@@ -378,10 +371,9 @@ TEST_CASE("Flipping a contact twice gives it back", "[unit][manifold]") {
 TEST_CASE("A contact that is asked for with bad numbers is refused", "[unit][manifold]") {
   const Box box = cube_at(Vec3::Zero());
   Manifold m;
-  CHECK_THROWS_WITH(collide(box, box, -0.1, kNoAxis, m), Catch::Contains("margin = -0.1"));
+  CHECK_THROWS_WITH(collide(box, box, -0.1, kNoAxis, m), Contains("margin = -0.1"));
   CHECK_THROWS_AS(collide(box, box, kInfinity, kNoAxis, m), std::invalid_argument);
-  CHECK_THROWS_WITH(collide(box, box, 0.0, 15, m), Catch::Contains("15"));
-  CHECK_THROWS_AS(find_manifold(box, box, separation(box, box), std::nan(""), m),
-                  std::invalid_argument);
-  CHECK_THROWS_WITH(find_manifold(box, box, Separation(), 0.0, m), Catch::Contains("axis"));
+  CHECK_THROWS_WITH(collide(box, box, 0.0, 15, m), Contains("15"));
+  CHECK_THROWS_AS(find_manifold(box, box, separation(box, box), kNan, m), std::invalid_argument);
+  CHECK_THROWS_WITH(find_manifold(box, box, Separation(), 0.0, m), Contains("axis"));
 }

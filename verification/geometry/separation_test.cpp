@@ -2,27 +2,20 @@
 /// \brief The separating axis test against closed forms and the plain loop over fifteen axes.
 #include "tumble/geometry/separation.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/separation_plain.hpp"
 
 #include "geometry/boxes.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
 using namespace tumble;
 using namespace tumble::test;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 const double kQuarter = std::sqrt(0.5);  // sine and cosine of 45 degrees
 
-SeparationOptions exact() {
-  SeparationOptions options;
-  options.prefer_faces = false;
-  options.enough = kInfinity;
-  return options;
-}
+SeparationOptions exact() { return SeparationOptions{.prefer_faces = false, .enough = kInfinity}; }
 
 // The largest gap over the 15 axes, and over those of them that are well-conditioned.
 //
@@ -162,8 +155,8 @@ TEST_CASE("A cube turned by 45 degrees reaches 0.107106781187 into a cube 1.1 aw
           "[exact][separation]") {
   const Separation s = separation(cube_at(Vec3::Zero()),
                                   cube_at({1.1, 0.0, 0.0}, about(Vec3::UnitZ(), M_PI_4)), exact());
-  CHECK(-s.distance == near(0.5 + kQuarter - 1.1).margin(1e-15));
-  CHECK(-s.distance == near(0.107106781187).margin(1e-12));  // digits given
+  CHECK(-s.distance == near(0.5 + kQuarter - 1.1, 1e-15));
+  CHECK(-s.distance == near(0.107106781187, 1e-12));  // digits given
   CHECK(s.axis == 0);
   CHECK((s.normal_w - Vec3::UnitX()).norm() < 1e-15);
 }
@@ -176,20 +169,20 @@ TEST_CASE("Two cubes edge across edge overlap by the square root of 2 less their
     options.prefer_faces = prefer;
     const Separation touching =
         separation(lower, cube_at({0.0, 1.4, 0.0}, about(Vec3::UnitX(), M_PI_4)), options);
-    CHECK(-touching.distance == near(2.0 * kQuarter - 1.4).margin(4e-16));
-    CHECK(-touching.distance == near(0.014213562373).margin(1e-12));
+    CHECK(-touching.distance == near(2.0 * kQuarter - 1.4, 4e-16));
+    CHECK(-touching.distance == near(0.014213562373, 1e-12));
     CHECK(touching.axis == 6 + 3 * 2 + 0);
     CHECK((touching.normal_w - Vec3::UnitY()).norm() < 1e-15);
     // A little higher they are apart, which none of the six face axes sees.
     const Box upper = cube_at({0.0, 1.42, 0.0}, about(Vec3::UnitX(), M_PI_4));
     const Separation apart = separation(lower, upper, options);
-    CHECK(apart.distance == near(0.005786437627).margin(1e-12));
+    CHECK(apart.distance == near(0.005786437627, 1e-12));
     double faces = -kInfinity;
     for (int i = 0; i < 3; ++i) {
       faces = std::max(faces, gap_along<double>(lower, upper, lower.axes_w.col(i)));
       faces = std::max(faces, gap_along<double>(lower, upper, upper.axes_w.col(i)));
     }
-    CHECK(-faces == near(0.349461761).margin(1e-9));
+    CHECK(-faces == near(0.349461761, 1e-9));
   }
 }
 
@@ -236,8 +229,7 @@ TEST_CASE(
 
 TEST_CASE("A remembered axis is kept until another one beats it clearly", "[unit][separation]") {
   // Cubes beside each other along x and y: 0.100 deep along y, a little less along x.
-  SeparationOptions options;
-  options.remembered = 1;
+  SeparationOptions options{.remembered = 1};
   const Box first = cube_at(Vec3::Zero());
   CHECK(separation(first, cube_at({0.902, 0.9, 0.0}), options).axis == 1);
   CHECK(separation(first, cube_at({0.910, 0.9, 0.0}), options).axis == 0);
@@ -272,12 +264,11 @@ TEST_CASE("The search stops at the first axis beyond enough, and no axis is miss
 
 TEST_CASE("A separation that is asked for with bad options is refused", "[unit][separation]") {
   const Box box = cube_at(Vec3::Zero());
-  SeparationOptions options;
-  options.remembered = 15;
-  CHECK_THROWS_WITH(separation(box, box, options), Catch::Contains("remembered = 15"));
+  SeparationOptions options{.remembered = 15};
+  CHECK_THROWS_WITH(separation(box, box, options), Contains("remembered = 15"));
   options.remembered = -2;
   CHECK_THROWS_AS(separation(box, box, options), std::invalid_argument);
   options.remembered = kNoAxis;
-  options.enough = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_WITH(separation(box, box, options), Catch::Contains("enough"));
+  options.enough = kNan;
+  CHECK_THROWS_WITH(separation(box, box, options), Contains("enough"));
 }

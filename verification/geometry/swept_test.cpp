@@ -2,20 +2,16 @@
 /// \brief First contact of moving boxes against closed forms and fine sampling in time.
 #include "tumble/geometry/swept.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/base/tolerances.hpp"
-#include "tumble/math/rotation.hpp"
 
 #include "geometry/boxes.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kEighthTurn = 0.78539816339744830962;  // [rad] 45 degrees
 
 // [-] Ten rounding errors of numbers of order 10, for fractions of a motion.
@@ -28,10 +24,7 @@ Box moved(Box box, const Vec3& by) {
 
 // The judge: the separating axis test at one instant.
 double gap(const Box& first, const Box& second) {
-  SeparationOptions exact;
-  exact.prefer_faces = false;
-  exact.enough = kInfinity;
-  return separation(first, second, exact).distance;
+  return separation(first, second, {.prefer_faces = false, .enough = kInfinity}).distance;
 }
 
 }  // namespace

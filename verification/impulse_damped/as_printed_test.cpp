@@ -1,13 +1,10 @@
 /// \file
 /// \brief Damped integration as printed: laws that hold whichever errata are repaired, and
 ///        those of a single listing.
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
 #include "tumble/impulse_damped/damped.hpp"
-#include "tumble/math/rotation.hpp"
-#include "tumble/techniques.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 
@@ -21,30 +18,25 @@ const char* const kSlips =
 
 int add_cube(World& world, const Vec3& position_w, const Vec3& velocity_w = Vec3::Zero(),
              double restitution = 0.0, const Quat& turned = Quat::Identity()) {
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.5, restitution);
-  world.add(cube, make_state(cube, position_w, turned, velocity_w));
+  world.add(box_properties(Vec3::Ones(), 1.0, 0.5, restitution), position_w, turned, velocity_w);
   return world.count() - 1;
 }
 
 // A stack of two, a leaning cube, one in the air beside a wall.
 World busy_world() {
-  World world;
-  world.add_ground();
+  World world = test::ground_world();
   add_cube(world, Vec3(0.0, 0.5, 0.0));
   add_cube(world, Vec3(0.2, 1.5, 0.0), Vec3::Zero(), 0.9);
   add_cube(world, Vec3(1.3, 0.7, 0.1), Vec3(-1.0, 0.0, 0.0), 0.5,
            rotation_from_vector(Vec3(0.1, 0.2, 0.5)));
   const BodyProperties wall = fixed_box_properties(Vec3(1.0, 3.0, 3.0));
-  world.add(wall, make_state(wall, Vec3(-3.0, 1.5, 0.0)));
+  world.add(wall, Vec3(-3.0, 1.5, 0.0));
   add_cube(world, Vec3(-1.9, 2.0, 0.0), Vec3(-2.0, 0.0, 0.0), 0.3);
   return world;
 }
 
 DampedAsPrinted with(const DampedErrata& repaired) {
-  DampedAsPrintedOptions options;
-  options.repaired = repaired;
-  options.push_cap = 50;
-  return DampedAsPrinted(options);
+  return DampedAsPrinted({.repaired = repaired, .push_cap = 50});
 }
 
 double reach_of(const World& world) {
@@ -86,8 +78,7 @@ TEST_CASE("Damped integration as printed ends every step with finite numbers, wh
 
 TEST_CASE("With all misprints mended the printed listings keep a cube at rest where it is",
           "[exact][impulse_damped]") {
-  World world;
-  world.add_ground();
+  World world = test::ground_world();
   const int cube = add_cube(world, Vec3(0.0, 0.5, 0.0));
   DampedAsPrinted technique = with(DampedErrata(kSlips));
   double booked = 0.0;
@@ -144,8 +135,7 @@ TEST_CASE("A step of the printed listings keeps no memory but its own",
 }
 
 TEST_CASE("What the printed listings know of a body goes with its id", "[unit][impulse_damped]") {
-  World world;
-  world.add_ground();
+  World world = test::ground_world();
   add_cube(world, Vec3(-3.0, 0.5, 0.0));
   const int second = add_cube(world, Vec3(0.0, 0.5, 0.0));
   const BodyId first_id = world.ids()[1];
@@ -182,12 +172,10 @@ TEST_CASE("Options of the printed listings that make no sense are refused",
 TEST_CASE("What the listings leave open is read in the milder way unless traps are taken",
           "[unit][impulse_damped]") {
   const auto places_after = [](const char* repaired, const char* traps) {
-    Parameters p = technique_recipe("damped").options();
-    p.set("reading", "as_printed");
-    p.set("repaired", repaired);
-    p.set("traps", traps);
     World world = busy_world();
-    const std::unique_ptr<Technique> technique = technique_recipe("damped").make(p, 1);
+    const auto technique = make_technique(
+        "damped",
+        {"reading=as_printed", std::string("repaired=") + repaired, std::string("traps=") + traps});
     for (int k = 0; k < 30; ++k) technique->step(world, kDt);
     double sum = 0.0;
     for (const BodyState& state : world.states()) sum += state.position_w.sum();
@@ -198,7 +186,5 @@ TEST_CASE("What the listings leave open is read in the milder way unless traps a
         places_after("D4,D5,D6,C3,C4,C6,C7,RK1,RC4,DM4,DM5,DM8,DM13,DM16,X1,G5,G7,G8", "taken"));
   CHECK(milder != places_after("none", "taken"));
   CHECK(places_after("all", "avoided") == places_after("all", "taken"));
-  Parameters meant = technique_recipe("damped").options();
-  meant.set("traps", "taken");
-  CHECK_THROWS_AS(technique_recipe("damped").make(meant, 1), std::invalid_argument);
+  CHECK_THROWS_AS(make_technique("damped", {"traps=taken"}), std::invalid_argument);
 }

@@ -1,12 +1,11 @@
 /// \file
 /// \brief The listings DAMPENOBJECTS and FIXCONTACTCONSTRAINTS as printed.
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
 #include "tumble/impulse_damped/as_printed/dampen_objects_as_printed.hpp"
 #include "tumble/impulse_damped/as_printed/fix_contact_constraints_as_printed.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 
@@ -35,11 +34,7 @@ DampenReport dampen(World& world, bool touched, const DampedErrata& repaired) {
 }
 
 Contact contact_between(int first, int second, const Vec3& normal_w, const Vec3& point_w) {
-  Contact contact;
-  contact.first = first;
-  contact.second = second;
-  contact.normal_w = normal_w;
-  contact.count = 1;
+  Contact contact{.first = first, .second = second, .normal_w = normal_w, .count = 1};
   contact.points[0].position_w = point_w;
   return contact;
 }
@@ -53,11 +48,9 @@ struct Motion {
 
 // Five lively cubes above each other, with gaps [m] below them, fall for a second.
 Motion run_both(double gap) {
-  World printed;
-  printed.add_ground();
+  World printed = test::ground_world();
   const BodyProperties lively = box_properties(Vec3::Ones(), 1.0, 0.5, 0.9);
-  for (int k = 0; k < 5; ++k)
-    printed.add(lively, make_state(lively, Vec3(0.0, 0.5 + k + gap * (k + 1), 0.0)));
+  for (int k = 0; k < 5; ++k) printed.add(lively, Vec3(0.0, 0.5 + k + gap * (k + 1), 0.0));
   World meant = printed;
   const World start = printed;
   DampedAsPrintedOptions options;
@@ -65,8 +58,7 @@ Motion run_both(double gap) {
       "D2,D4,D5,D6,C1,C2,C3,C4,C5,C6,C7,C10,RK1,RK3,RC4,DM1,DM2,DM3,DM4,DM5,DM8,DM13,DM16,X1,X2");
   options.stable_boxes = false;
   DampedAsPrinted listing(options);
-  DampedOptions standard;
-  standard.stable_boxes = StableRule::off;
+  DampedOptions standard{.stable_boxes = StableRule::off};
   standard.noise.where = Randomness::off;  // the listings know no chance
   Damped technique(standard);
   Motion motion;
@@ -92,15 +84,15 @@ TEST_CASE("With all its misprints, the listing ends whatever is negative along y
   World world = one_cube(Vec3::Zero(), Vec3(-1.0, -1.0, -1.0), Vec3(-1.0, -1.0, -1.0));
   const DampenReport report = dampen(world, true, DampedErrata());
   const BodyState& state = world.states()[0];
-  CHECK(state.linear_momentum_w.x() == near(-usual.k1).margin(1e-15));
+  CHECK(state.linear_momentum_w.x() == near(-usual.k1, 1e-15));
   CHECK(state.linear_momentum_w.y() == 0.0);
   CHECK(state.linear_momentum_w.z() == 0.0);
-  CHECK(state.angular_momentum_w.x() == near(-usual.k2 * usual.k3).margin(1e-15));
+  CHECK(state.angular_momentum_w.x() == near(-usual.k2 * usual.k3, 1e-15));
   CHECK(state.angular_momentum_w.y() == 0.0);
   CHECK(state.angular_momentum_w.z() == 0.0);
   // Line 22 moves with v + g dt.
-  CHECK(state.position_w.x() == near(-usual.k1 * dt).margin(1e-15));
-  CHECK(state.position_w.y() == near(-9.81 * dt * dt).margin(1e-15));
+  CHECK(state.position_w.x() == near(-usual.k1 * dt, 1e-15));
+  CHECK(state.position_w.y() == near(-9.81 * dt * dt, 1e-15));
   CHECK(report.damped == 1);
   CHECK(report.moved == 1);
   CHECK(report.frozen == 0);
@@ -109,24 +101,22 @@ TEST_CASE("With all its misprints, the listing ends whatever is negative along y
 TEST_CASE("A loop of pushes that does not end is left at the cap and reported",
           "[exact][impulse_damped]") {
   // A normal along the ground never leads out of it.
-  World world;
-  world.add_ground();
-  world.add(cube, make_state(cube, Vec3(0.0, 0.4, 0.0)));
+  World world = test::ground_world();
+  world.add(cube, Vec3(0.0, 0.4, 0.0));
   const Contact sideways = contact_between(0, 1, Vec3::UnitX(), Vec3::Zero());
   const PrintedFixReport report =
       fix_contact_constraints_as_printed(world, {&sideways, 1}, 1e-3, 250, DampedErrata());
   CHECK_FALSE(report.ended);
   CHECK(report.pushes == 250);
-  CHECK(world.states()[1].position_w.x() == near(0.25).margin(1e-12));  // [m]
+  CHECK(world.states()[1].position_w.x() == near(0.25, 1e-12));  // [m]
 
-  World mended;
-  mended.add_ground();
-  mended.add(cube, make_state(cube, Vec3(0.0, 0.3995, 0.0)));
+  World mended = test::ground_world();
+  mended.add(cube, Vec3(0.0, 0.3995, 0.0));
   const PrintedFixReport ended =
       fix_contact_constraints_as_printed(mended, {&sideways, 1}, 1e-3, 250, DampedErrata("X1"));
   CHECK(ended.ended);
-  CHECK(ended.pushes == 101);                               // 100.5 mm
-  CHECK(ended.energy == near(9.81 * 0.101).margin(1e-12));  // [J]
+  CHECK(ended.pushes == 101);                        // 100.5 mm
+  CHECK(ended.energy == near(9.81 * 0.101, 1e-12));  // [J]
 }
 
 TEST_CASE("Without its misprints the listing is the reading as meant",
@@ -148,13 +138,13 @@ TEST_CASE("Bad input of the printed listings is refused with its value", "[unit]
   const std::vector<std::uint8_t> two(2, 0);
   CHECK_THROWS_WITH(
       dampen_objects_as_printed(world, two, numbers(), dt, RotationRule::splitting, DampedErrata()),
-      Catch::Matchers::Contains("touched: 2 flags for 1 bodies"));
+      Contains("touched: 2 flags for 1 bodies"));
   const std::vector<std::uint8_t> one(1, 0);
   CHECK_THROWS_WITH(dampen_objects_as_printed(world, one, numbers(), 0.0, RotationRule::splitting,
                                               DampedErrata()),
-                    Catch::Matchers::Contains("dt"));
+                    Contains("dt"));
   CHECK_THROWS_WITH(fix_contact_constraints_as_printed(world, {}, 0.0, 1, DampedErrata()),
-                    Catch::Matchers::Contains("eps1"));
+                    Contains("eps1"));
   CHECK_THROWS_WITH(fix_contact_constraints_as_printed(world, {}, 1e-3, 0, DampedErrata()),
-                    Catch::Matchers::Contains("cap = 0: give at least 1"));
+                    Contains("cap = 0: give at least 1"));
 }

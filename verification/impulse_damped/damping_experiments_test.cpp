@@ -1,11 +1,10 @@
 /// \file
 /// \brief Claims 5.3a, 5.3b and 5.3e: energy, chatter and the alignment test of the damping.
 #include "tumble/impulse_damped/tolerances.hpp"
-#include "tumble/math/rotation.hpp"
 
 #include "driver/quick.hpp"
 #include "impulse_damped/settled_boxes.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;

@@ -1,9 +1,8 @@
 /// \file
 /// \brief Chance in collisions: what it must never do, and that it can be repeated.
 #include "tumble/contact/collision_noise.hpp"
-#include "tumble/contact/effective_mass.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -20,18 +19,17 @@ Case random_case(Random& random) {
   Case c;
   const bool fixed = random.unit() < 0.3;
   const Vec3 size(random.uniform(0.1, 2.0), random.uniform(0.1, 2.0), random.uniform(0.1, 2.0));
-  const BodyProperties brick = box_properties(size, random.uniform(0.1, 10.0));
   const Quat q = random.orientation();
   const Vec3 v = random.in_cube(5.0);
   const Vec3 w = random.in_cube(5.0);
   if (fixed) {
     const BodyProperties wall = fixed_box_properties(Vec3::Ones());
-    c.world.add(wall, make_state(wall, Vec3::Zero()));
+    c.world.add(wall, Vec3::Zero());
   } else {
-    const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-    c.world.add(cube, make_state(cube, Vec3::Zero(), Quat::Identity(), random.in_cube(5.0)));
+    c.world.add(box_properties(Vec3::Ones(), 1.0), Vec3::Zero(), Quat::Identity(),
+                random.in_cube(5.0));
   }
-  c.world.add(brick, make_state(brick, Vec3(0.0, 1.0, 0.0), q, v, w));
+  c.world.add(box_properties(size, random.uniform(0.1, 10.0)), Vec3(0.0, 1.0, 0.0), q, v, w);
   load_moving_bodies(c.world, c.moving);
   c.contact.first_id = c.world.ids()[0];
   c.contact.second_id = c.world.ids()[1];
@@ -100,18 +98,15 @@ TEST_CASE("Chance is the same whatever was drawn before, and another one in anot
 
 TEST_CASE("The normal turns by its standard deviation", "[reference][impulse_damped]") {
   // A cube that falls without spin on its centre: nothing has to be drawn back.
-  World world;
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  world.add_ground();
-  world.add(cube, make_state(cube, Vec3(0.0, 0.5, 0.0), Quat::Identity(), Vec3(0.0, -5.0, 0.0)));
-  std::vector<MovingBody> moving;
-  load_moving_bodies(world, moving);
-  Contact contact;
-  contact.second = 1;
-  contact.first_id = world.ids()[0];
-  contact.second_id = world.ids()[1];
-  contact.count = 1;
-  contact.restitution = 0.5;
+  World world = test::ground_world();
+  world.add(box_properties(Vec3::Ones(), 1.0), Vec3(0.0, 0.5, 0.0), Quat::Identity(),
+            Vec3(0.0, -5.0, 0.0));
+  std::vector<MovingBody> moving = test::moving_bodies(world);
+  Contact contact{.first_id = world.ids()[0],
+                  .second_id = world.ids()[1],
+                  .second = 1,
+                  .restitution = 0.5,
+                  .count = 1};
   const NoiseOptions options;
   double squares = 0.0;
   double mean = 0.0;
@@ -124,27 +119,21 @@ TEST_CASE("The normal turns by its standard deviation", "[reference][impulse_dam
   }
   // Two components share an angle whose square has the mean 2 σ² (1 - exp(-4.5)) for σ = 0.05,
   // being 3 σ at most: 0.04972 for each. The error of 20000 draws is a quarter of a per cent.
-  CHECK(std::sqrt(squares) == near(0.04972).margin(0.0004));
-  CHECK(mean == near(0.5).margin(0.002));
+  CHECK(std::sqrt(squares) == near(0.04972, 0.0004));
+  CHECK(mean == near(0.5, 0.002));
 }
 
 TEST_CASE("Only collisions on the right side of the threshold are left to chance",
           "[unit][impulse_damped]") {
-  World world;
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  world.add_ground();
-  const BodyId id =
-      world.add(cube, make_state(cube, Vec3(0.0, 0.5, 0.0), Quat::Identity(), Vec3(0, -1.4, 0)));
+  World world = test::ground_world();
+  const BodyId id = world.add(box_properties(Vec3::Ones(), 1.0), Vec3(0.0, 0.5, 0.0),
+                              Quat::Identity(), Vec3(0, -1.4, 0));
   std::vector<MovingBody> moving;
-  Contact contact;
-  contact.second = 1;
-  contact.count = 1;
+  Contact contact{.second = 1, .count = 1};
   const auto chance = [&](double speed, Randomness where) {
     world.set_velocity(id, Vec3(0.0, -speed, 0.0), Vec3::Zero());
     load_moving_bodies(world, moving);
-    NoiseOptions options;
-    options.where = where;
-    return left_to_chance(contact, moving, world, options);
+    return left_to_chance(contact, moving, world, {.where = where});
   };
   // The threshold is 0.5 sqrt(9.81) = 1.566 m/s.
   CHECK(chance(1.6, Randomness::fast));

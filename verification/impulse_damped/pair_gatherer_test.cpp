@@ -2,10 +2,7 @@
 /// \brief Normals and points of overlapping pairs, by each rule, at poses checked by hand.
 #include "tumble/impulse_damped/pair_gatherer.hpp"
 
-#include "tumble/base/random.hpp"
-#include "tumble/math/rotation.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -13,8 +10,7 @@ using namespace tumble;
 
 BodyId add_cube(World& world, const Vec3& position_w, const Quat& q = Quat::Identity(),
                 const Vec3& size = Vec3::Ones()) {
-  const BodyProperties body = box_properties(size, 1.0, 0.5, 0.9);
-  return world.add(body, make_state(body, position_w, q));
+  return world.add(box_properties(size, 1.0, 0.5, 0.9), position_w, q);
 }
 
 // What one rule finds between poses of the step's start and now.
@@ -47,7 +43,7 @@ TEST_CASE("All rules push a box upwards that has sunk into another one",
     // The middle of the area in which the faces lie over each other: x from -0.2 to 0.5, z from
     // -0.4 to 0.5. Depths of 3 mm are differences of metres, so weights have an error of 1e-13.
     CHECK((found[0].points[0].position_w - Vec3(0.15, 0.9985, 0.05)).norm() < 1e-12);
-    CHECK(found[0].points[0].distance == near(-0.003).margin(1e-15));
+    CHECK(found[0].points[0].distance == near(-0.003, 1e-15));
     CHECK(gathered(last, now, rule, PointRule::area)[0].count == 4);
   }
 }
@@ -98,16 +94,15 @@ TEST_CASE("Where edges cross no face is the exact normal", "[reference][impulse_
   const Vec3 exact = gathered(last, last, NormalRule::separation)[0].normal_w;
   CHECK((exact - Vec3::UnitY()).norm() < 1e-12);  // across both edges; no rounding above 1e-15
   const Vec3 face = gathered(last, last, NormalRule::last_face)[0].normal_w;
-  CHECK(face.y() == near(0.7071067811865476).margin(1e-12));  // 45 degrees off
+  CHECK(face.y() == near(0.7071067811865476, 1e-12));  // 45 degrees off
   // Its middle of an edge lies in the other box, whose nearest face is as far off.
   const Vec3 gradient = gathered(last, last, NormalRule::signed_distance)[0].normal_w;
-  CHECK(gradient.y() == near(0.7071067811865476).margin(1e-12));
+  CHECK(gradient.y() == near(0.7071067811865476, 1e-12));
 }
 
 TEST_CASE("On the ground all rules point up from it and the deepest side counts most",
           "[exact][impulse_damped]") {
-  World world;
-  world.add_ground();
+  World world = test::ground_world();
   add_cube(world, Vec3(0.0, 0.49, 0.0), rotation_from_degrees(Vec3(0.0, 0.0, 1.0)));
   for (const NormalRule rule : kRules) {
     const ContactList found = gathered(world, world, rule);
@@ -123,7 +118,7 @@ TEST_CASE("On the ground all rules point up from it and the deepest side counts 
       sum += depth * c.x();
       weight += depth;
     }
-    CHECK(found[0].points[0].position_w.x() == near(sum / weight).margin(1e-15));
+    CHECK(found[0].points[0].position_w.x() == near(sum / weight, 1e-15));
     CHECK(found[0].points[0].position_w.x() < -0.4);
   }
 }
@@ -148,7 +143,7 @@ TEST_CASE("Every overlap that the separating axis test sees is gathered, by ever
       const ContactList found = gathered(world, world, rule);
       REQUIRE((found.size() == 1) == (exact.distance < 0.0));
       if (found.empty()) continue;
-      CHECK(found[0].normal_w.norm() == near(1.0).margin(1e-14));
+      CHECK(found[0].normal_w.norm() == near(1.0, 1e-14));
       CHECK(found[0].points[0].position_w.allFinite());
     }
   }

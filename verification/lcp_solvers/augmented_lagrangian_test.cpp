@@ -2,14 +2,13 @@
 /// \brief The method of multipliers against problems by hand, other solvers, and what breaks those.
 #include "tumble/lcp_solvers/augmented_lagrangian.hpp"
 
-#include "tumble/base/index.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/lcp_solvers/least_constraint.hpp"
 
 #include "lcp_solvers/pyramid_problem.hpp"
 #include "lcp_solvers/random_contacts.hpp"
 #include "support/allocation_counter.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -136,9 +135,8 @@ TEST_CASE("Caps on factorisations and rounds end in a status", "[unit][lcp][anal
 }
 
 TEST_CASE("The method of multipliers refuses what it cannot take", "[unit][lcp][analytic_lcp]") {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_WITH(solved(lcp({2, 1, 0, 2}, {-1, -1})), Contains("give a symmetric matrix"));
-  CHECK_THROWS_AS(solved(lcp({nan}, {-1})), std::invalid_argument);
+  CHECK_THROWS_AS(solved(lcp({kNan}, {-1})), std::invalid_argument);
   LcpProblem problem = stack(2);
   problem.factors.rows.pop_back();
   CHECK_THROWS_WITH(solved(problem), Contains("factors have 1 rows: give none or 2"));
@@ -153,7 +151,7 @@ TEST_CASE("The method of multipliers refuses what it cannot take", "[unit][lcp][
   LcpResult result;
   const std::vector<int> twice{1, 1};
   CHECK_THROWS_WITH(solver.solve(stack(2), result, twice), Contains("row 1 twice"));
-  result.f = {0.0, nan};
+  result.f = {0.0, kNan};
   CHECK_THROWS_WITH(solver.solve(stack(2), result), Contains("result.f"));
 
   CHECK_THROWS_WITH(AugmentedLagrangianSolver({.residual = -1.0}), Contains("residual = -1"));

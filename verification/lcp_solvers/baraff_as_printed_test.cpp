@@ -3,7 +3,7 @@
 #include "tumble/lcp_solvers/as_printed/baraff_as_printed.hpp"
 
 #include "lcp_solvers/lcp_cases.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -38,11 +38,11 @@ TEST_CASE("The thesis's form detects bodies that are squeezed and systems withou
 TEST_CASE("The thesis's form refuses what it cannot take", "[unit][lcp][analytic_lcp]") {
   LcpProblem problem = lcp({2, 1, 1, 2}, {-5, -6});
   problem.equality = {0, 1};
-  CHECK_THROWS_WITH(solved(problem), Catch::Contains("equality"));
+  CHECK_THROWS_WITH(solved(problem), Contains("equality"));
   problem.equality = {0, 0};
   CHECK(solved(problem).status == LcpStatus::solved);
   problem.A(0, 1) = 3.0;
   CHECK_THROWS_AS(solved(problem), std::invalid_argument);
-  CHECK_THROWS_WITH(BaraffAsPrintedSolver({.eps = -1.0}), Catch::Contains("eps = -1"));
+  CHECK_THROWS_WITH(BaraffAsPrintedSolver({.eps = -1.0}), Contains("eps = -1"));
   CHECK_THROWS_AS(BaraffAsPrintedSolver({.pivots_per_row = 0}), std::invalid_argument);
 }

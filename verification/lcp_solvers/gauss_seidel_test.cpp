@@ -3,10 +3,9 @@
 #include "tumble/lcp_solvers/gauss_seidel.hpp"
 
 #include "tumble/math/complementarity.hpp"
-#include "tumble/math/elementary.hpp"
 
 #include "lcp_solvers/random_contacts.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -75,8 +74,8 @@ TEST_CASE("Sweeps that begin with the former forces need none for the same probl
   result.f.assign(10, -5.0);  // contacts cannot begin by pulling
   solver.solve(problem, result);
   CHECK(result.pivots == solved(problem).pivots);
-  result.f[3] = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_WITH(solver.solve(problem, result), Catch::Contains("result.f"));
+  result.f[3] = kNan;
+  CHECK_THROWS_WITH(solver.solve(problem, result), Contains("result.f"));
 }
 
 TEST_CASE("Sweeps that lead nowhere end at the cap or when forces overflow",

@@ -58,8 +58,7 @@ inline LcpProblem cube_on_ground(double weight, double x, double z) {
 
 // A stack of boxes of 1 kg that touch in one point each.
 inline LcpProblem stack(int n) {
-  LcpProblem problem;
-  problem.b = VecX::Zero(n);
+  LcpProblem problem{.b = VecX::Zero(n)};
   problem.b[0] = -9.81;
   for (int k = 0; k < n; ++k) {
     problem.factors.bodies.push_back({Vec3::Ones(), Mat3::Identity()});

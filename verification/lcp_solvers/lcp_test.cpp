@@ -11,8 +11,8 @@
 #include "lcp_solvers/random_contacts.hpp"
 #include "lcp_solvers/siconos_problems.hpp"
 #include "support/allocation_counter.hpp"
-#include "support/catch.hpp"
 #include "support/shared_data.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -21,7 +21,6 @@ namespace {
 
 // Some ten roundings of 2e-16 in problems of a few rows with numbers up to 50 (measured: below 1e-14).
 constexpr double rounding = 1e-12;
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // How far f and a may be off [N], [m/s²], and the residual [-]. What is iterated is as exact as its
 // residual, times the condition of small problems (measured: multipliers 2e-11, sweeps 2e-8).
@@ -90,7 +89,7 @@ void check_accelerations(const Names& names, const LcpProblem& problem,
     const LcpResult result = solved_by(name, problem);
     CHECK(result.status == LcpStatus::solved);
     CHECK(result.residual <= exactness_of(name).residual);
-    CHECK(*std::min_element(result.f.begin(), result.f.end()) >= 0.0);
+    CHECK(*std::ranges::min_element(result.f) >= 0.0);
     CHECK(near(result.a, a, exactness_of(name).answer));
   }
 }
@@ -252,10 +251,7 @@ TEST_CASE("Equalities may depend on each other, but must not contradict each oth
 TEST_CASE("Without rows there is nothing to solve with any solver", "[unit][lcp][analytic_lcp]") {
   for (const LcpRecipe& recipe : lcp_solvers()) {
     INFO(recipe.name);
-    LcpResult result;
-    result.f = {1.0};
-    result.a = {1.0};
-    result.pushing = {3};
+    LcpResult result{.f = {1.0}, .a = {1.0}, .pushing = {3}};
     recipe.make()->solve({MatX(0, 0), VecX(0), {}}, result);
     CHECK(result.status == LcpStatus::solved);
     CHECK(result.f.empty());
@@ -280,7 +276,7 @@ TEST_CASE("The residual is 0 at a solution and shows each way of being wrong",
   // A row of friction has a diagonal of 0, and is not right for that.
   CHECK(lcp_residual(lcp({0, 2, 0, 1}, {1, 0}), std::vector<double>{1, 0}) == 1.0);
   CHECK(lcp_residual(lcp({-1}, {1}), std::vector<double>{1}) == 0.0);
-  CHECK(std::isnan(lcp_residual(problem, std::vector<double>{not_a_number, 0})));
+  CHECK(std::isnan(lcp_residual(problem, std::vector<double>{kNan, 0})));
   CHECK_THROWS_WITH(lcp_residual(problem, std::vector<double>{1}),
                     Contains("f has 1 entries: give 2"));
 }
@@ -306,10 +302,10 @@ TEST_CASE("Every solver refuses what is no problem, and says where", "[unit][lcp
     CHECK_THROWS_WITH(solver->solve(bad, result),
                       Contains("equality has 1 entries: give none or 2"));
     bad = good;
-    bad.A(1, 0) = not_a_number;
+    bad.A(1, 0) = kNan;
     CHECK_THROWS_WITH(solver->solve(bad, result), Contains("A(1, 0)") && Contains("nan"));
     bad = good;
-    bad.b[1] = std::numeric_limits<double>::infinity();
+    bad.b[1] = kInfinity;
     CHECK_THROWS_WITH(solver->solve(bad, result), Contains("b[1]") && Contains("inf"));
     const std::vector<int> outside = {2};
     const std::vector<int> below = {-1};

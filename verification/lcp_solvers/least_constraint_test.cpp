@@ -6,7 +6,7 @@
 #include "tumble/math/complementarity.hpp"
 
 #include "lcp_solvers/random_contacts.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -70,17 +70,17 @@ TEST_CASE("Least constraint works on A alone, and refuses factors of another mat
   CHECK(solved(lcp({-1}, {-1})).status == LcpStatus::not_positive_semidefinite);
   LcpProblem problem = stack(2);
   problem.A(0, 0) = 3.0;
-  CHECK_THROWS_WITH(solved(problem), Catch::Contains("row 0 of the factors makes 1 of A_ii = 3"));
+  CHECK_THROWS_WITH(solved(problem), Contains("row 0 of the factors makes 1 of A_ii = 3"));
   problem = stack(2);
   problem.factors.rows[1].first = 2;
-  CHECK_THROWS_WITH(solved(problem), Catch::Contains("indices of bodies"));
+  CHECK_THROWS_WITH(solved(problem), Contains("indices of bodies"));
   problem.factors.rows[1].first = 1;
-  CHECK_THROWS_WITH(solved(problem), Catch::Contains("two different bodies"));
+  CHECK_THROWS_WITH(solved(problem), Contains("two different bodies"));
   problem = stack(2);
   problem.factors.bodies[0].inverse_mass[2] = -1.0;
-  CHECK_THROWS_WITH(solved(problem), Catch::Contains("inverse_mass = -1"));
+  CHECK_THROWS_WITH(solved(problem), Contains("inverse_mass = -1"));
   problem = stack(2);
-  problem.factors.rows[0].angular_second_w[0] = std::numeric_limits<double>::quiet_NaN();
+  problem.factors.rows[0].angular_second_w[0] = kNan;
   CHECK_THROWS_AS(solved(problem), std::invalid_argument);
   problem = stack(2);
   LeastConstraintSolver solver;

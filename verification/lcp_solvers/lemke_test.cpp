@@ -2,16 +2,15 @@
 /// \brief Lemke's method: how many pivots, which matrices, what its rays mean.
 #include "tumble/lcp_solvers/lemke.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/math/enumeration.hpp"
 
 #include "lcp_solvers/random_contacts.hpp"
 #include "lcp_solvers/redundant_contacts.hpp"
 #include "lcp_solvers/siconos_problems.hpp"
-#include "support/catch.hpp"
 #include "support/dense_solve.hpp"
 #include "support/shared_data.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -92,7 +91,7 @@ TEST_CASE("The cap of pivots ends the path with the state reached", "[unit][lcp]
   CHECK(solved(problem, {256}).status == LcpStatus::solved);
   CHECK(solved(problem, {0}).status == LcpStatus::cap_reached);
   CHECK(solved(lcp({1}, {1}), {0}).status == LcpStatus::solved);  // needs none
-  CHECK_THROWS_WITH(LemkeSolver({-1}), Catch::Matchers::Contains("pivot_cap = -1"));
+  CHECK_THROWS_WITH(LemkeSolver({-1}), Contains("pivot_cap = -1"));
 }
 
 // --- ties -----------------------------------------------------------------------------------------

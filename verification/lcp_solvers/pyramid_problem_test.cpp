@@ -2,7 +2,7 @@
 /// \brief The pyramids that solvers are measured with.
 #include "lcp_solvers/pyramid_problem.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;

@@ -100,8 +100,7 @@ TEST_CASE("A force below 0 by rounding is 0 in an answer that is called solved",
 TEST_CASE("A row in small units is judged in its own units", "[exact][lcp][lcp_solvers]") {
   // The second row is wrong by its whole b, which is a hundred-millionth of the first one's.
   const LcpProblem problem = lcp({1, 0, 0, 1e-16}, {-1, -1e-8});
-  LcpResult result;
-  result.f = {1, 0};
+  LcpResult result{.f = {1, 0}};
   complete(problem, result);
   CHECK(result.residual <= 1e-7);
   CHECK_FALSE(holds(problem, result));

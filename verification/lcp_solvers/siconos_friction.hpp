@@ -86,8 +86,7 @@ inline std::vector<NormalProblem> siconos_normal_problems(const std::filesystem:
   for (std::size_t at = text.find(".dat\""); at != std::string::npos;
        at = text.find(".dat\"", at + 1)) {
     const std::size_t quote = text.rfind('"', at);
-    NormalProblem one;
-    one.name = text.substr(quote + 1, at + 3 - quote);
+    NormalProblem one{.name = text.substr(quote + 1, at + 3 - quote)};
     one.problem = read_normal_problem(folder / one.name);
     const std::size_t list = text.find('[', text.find("\"w\"", at));
     std::istringstream numbers(text.substr(list + 1, text.find(']', list) - list - 1));

@@ -1,6 +1,5 @@
 /// \file
 /// \brief All solvers on the same contact problems, against each other.
-#include "tumble/base/index.hpp"
 #include "tumble/lcp_solvers/augmented_lagrangian.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/lcp_solvers/lcp.hpp"
@@ -12,8 +11,8 @@
 #include "lcp_solvers/random_contacts.hpp"
 #include "lcp_solvers/siconos_friction.hpp"
 #include "lcp_solvers/siconos_problems.hpp"
-#include "support/catch.hpp"
 #include "support/shared_data.hpp"
+#include "support/test.hpp"
 
 #include <filesystem>
 
@@ -47,7 +46,7 @@ class Comparison {
     const double scale = scale_of(problem);
     if (want_.status != LcpStatus::solved || !(want_.residual <= 1e-10)) ++unsure;
     if (want_.pushing.size() > 6 * problem.factors.bodies.size() + 1) ++too_many;
-    const auto glued = std::count(problem.equality.begin(), problem.equality.end(), 1);
+    const auto glued = std::ranges::count(problem.equality, 1);
     for (const auto& solver : solvers_) {
       if (solver->name() == "enumeration" && problem.size() + glued > enumeration_limit) continue;
       if (solver->name() == "baraff_as_printed" && glued > 0) continue;

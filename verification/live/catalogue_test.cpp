@@ -3,12 +3,10 @@
 #include "catalogue.hpp"
 
 #include "tumble/base/version.hpp"
-#include "tumble/scenes/library.hpp"
-#include "tumble/techniques.hpp"
 
 #include "live/json.hpp"
 #include "session.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 

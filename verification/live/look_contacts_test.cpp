@@ -2,7 +2,7 @@
 /// \brief Contact points, collisions and numbers in a look at a session.
 #include "live/seen.hpp"
 #include "session.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::live;
@@ -73,7 +73,7 @@ TEST_CASE("Collisions are seen once, at the look after them", "[unit][live]") {
     CHECK(event.time <= world.time());
     CHECK(event.time >= world.time() - kDt);
     CHECK(event.first < event.second);
-    CHECK(event.normal_w.norm() == near(1.0).margin(1e-12));
+    CHECK(event.normal_w.norm() == near(1.0, 1e-12));
     CHECK(event.push_w.dot(event.normal_w) > 0.0);
   }
   CHECK(collisions(kLookContacts).empty());
@@ -88,8 +88,8 @@ TEST_CASE("Collisions between two looks are kept up to a bound", "[unit][live]")
   const auto collisions = [](Session& session) {
     session.look(kLookContacts);
     const std::vector<SeenContact> all = contacts_of(session);
-    return std::count_if(all.begin(), all.end(),
-                         [](const SeenContact& contact) { return contact.state == 3; });
+    return std::ranges::count_if(all,
+                                 [](const SeenContact& contact) { return contact.state == 3; });
   };
   std::ptrdiff_t sum = 0;
   for (int k = 0; k < 20; ++k) {

@@ -6,7 +6,7 @@
 
 #include "live/seen.hpp"
 #include "session.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "support/touching.hpp"
 
 namespace {
@@ -20,8 +20,7 @@ bool same_pose(const Vec3& position_w, const Quat& orientation_wb, const BodySta
 
 // Which bodies are stable, as the library's own search says.
 std::vector<char> stable_in(const World& world, StableRule rule) {
-  std::vector<MovingBody> moving;
-  load_moving_bodies(world, moving);
+  std::vector<MovingBody> moving = test::moving_bodies(world);
   ContactList contacts;
   gather_near(world, moving, test::all_pairs(world), {}, contacts);
   StableBoxes boxes(rule);
@@ -65,7 +64,7 @@ TEST_CASE("A look has each body but the ground with its poses now and before the
     if (!enters) continue;
     CHECK(seen[3].before_w == Vec3(9.0, 5.0, 0.0));
     CHECK(seen[3].before_wb.coeffs() == Quat::Identity().coeffs());
-    CHECK(seen[3].position_w.x() == near(9.0 + kDt).margin(1e-12));
+    CHECK(seen[3].position_w.x() == near(9.0 + kDt, 1e-12));
   }
 
   // A body thrown since has not moved; the poses of others stay theirs when one goes.
@@ -185,8 +184,7 @@ TEST_CASE("Pivots of figure 6.1 are the points on which each box of the column t
   step(session, 12);
   session.look(kLookPivots);
   const std::vector<SeenBody> seen = bodies_of(session);
-  std::vector<MovingBody> moving;
-  load_moving_bodies(world, moving);
+  std::vector<MovingBody> moving = test::moving_bodies(world);
   int with_pivot = 0;
   for (const SeenBody& body : seen) {
     INFO("body " << body.id);
@@ -202,14 +200,12 @@ TEST_CASE("Pivots of figure 6.1 are the points on which each box of the column t
       return (b.cwiseAbs() - 0.5 * other.size).maxCoeff();  // [m] 0 on the surface
     };
     CHECK(std::abs(outside(body)) < 0.02);
-    CHECK(std::any_of(seen.begin(), seen.end(), [&](const SeenBody& other) {
+    CHECK(std::ranges::any_of(seen, [&](const SeenBody& other) {
       return other.id != body.id && std::abs(outside(other)) < 0.02;
     }));
   }
-  CHECK(with_pivot ==
-        static_cast<int>(std::count_if(seen.begin(), seen.end(), [](const SeenBody& body) {
-          return (body.kind & kFixed) == 0;
-        })));
+  CHECK(with_pivot == static_cast<int>(std::ranges::count_if(
+                          seen, [](const SeenBody& body) { return (body.kind & kFixed) == 0; })));
   session.look(kEverything & ~kLookPivots);
   for (const SeenBody& body : bodies_of(session)) CHECK(body.pivot_w.array().isNaN().all());
 }

@@ -1,11 +1,10 @@
 /// \file
 /// \brief The C interface of the module: statuses, sentences, and that no exception leaves it.
-#include "tumble/scenes/scene_file.hpp"
 
 #include "catalogue.hpp"
 #include "live/seen.hpp"
 #include "session.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 extern "C" {
 char* tumble_input(int bytes);
@@ -182,7 +181,6 @@ TEST_CASE("A slot that is closed or does not exist answers every call with a sen
 TEST_CASE("Throws that make no sense are refused by the module and change nothing",
           "[unit][live]") {
   const Closed closed;
-  const double nan = std::nan("");
   const double inf = HUGE_VAL;
   const Vec3 free(20.0, 9.0, 0.0);
   for (const int steps : {0, 4}) {
@@ -198,12 +196,12 @@ TEST_CASE("Throws that make no sense are refused by the module and change nothin
       CHECK(scene_of(0) == scene);
     };
     const Vec3 still = Vec3::Zero();
-    for (const double bad : {nan, inf, -1.0, 0.0, -inf}) {
+    for (const double bad : {kNan, inf, -1.0, 0.0, -inf}) {
       INFO(bad);
       refused(throw_at(0, bad, 1.0, free, still), "size.x = ");
       refused(throw_at(0, 1.0, bad, free, still), "mass = ");
     }
-    for (const double bad : {nan, inf, -inf}) {
+    for (const double bad : {kNan, inf, -inf}) {
       INFO(bad);
       refused(throw_at(0, 1.0, 1.0, Vec3(0.0, bad, 0.0), still), "position_w = ");
       refused(throw_at(0, 1.0, 1.0, free, Vec3(0.0, 0.0, bad)), "velocity_w = ");

@@ -1,16 +1,11 @@
 /// \file
 /// \brief The live page in live/ready, for machines without a compiler for the browser, is that of these sources.
 #include "hashes/outcomes.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
-#include <algorithm>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <set>
-#include <sstream>
 
 namespace {
 

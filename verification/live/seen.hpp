@@ -104,7 +104,7 @@ inline std::vector<SeenContact> contacts_of(const Session& session) {
 // A number of a session's last look.
 inline double number(const Session& session, std::string_view name) {
   const auto& names = Session::number_names();
-  const auto place = std::find(names.begin(), names.end(), name);
+  const auto place = std::ranges::find(names, name);
   REQUIRE(place != names.end());
   return session.numbers().at(static_cast<std::size_t>(place - names.begin()));
 }

@@ -3,10 +3,9 @@
 #include "session.hpp"
 
 #include "tumble/record/run.hpp"
-#include "tumble/scenes/scene_file.hpp"
 
 #include "live/seen.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::live;

@@ -1,13 +1,10 @@
 /// \file
 /// \brief Requests: what their words make, and in which sentence a mistake is reported.
 #include "tumble/record/run.hpp"
-#include "tumble/scenes/library.hpp"
-#include "tumble/scenes/scene_file.hpp"
-#include "tumble/techniques.hpp"
 
 #include "session.hpp"
-#include "support/catch.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -18,9 +15,7 @@ using namespace tumble::live;
 const std::string kBox = "[[box]]\nsize = [1, 1, 1]\nmass = 2\nposition = [0, 3, 0]\n";
 
 std::string hash_of(Technique& technique, const Scene& scene) {
-  RunSettings settings;
-  settings.duration = 0.25;
-  return run_scene(scene, technique, settings, {}).state_hash;
+  return run_scene(scene, technique, {.duration = 0.25}, {}).state_hash;
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 /// \brief Bisection keeps the separated side and counts what it asks.
 #include "tumble/math/bracket.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 
@@ -53,18 +53,16 @@ TEST_CASE("Bisection stops at its cap with the shortest bracket so far", "[unit]
 }
 
 TEST_CASE("Bisection detects a bracket that is none", "[unit][bracket]") {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto gap = [](double t) { return 0.3 - t; };
   CHECK(bisect(gap, Bracket{1.0, 0.0}, 1e-6, 10).status == SearchStatus::no_bracket);
-  CHECK(bisect(gap, Bracket{nan, 1.0}, 1e-6, 10).status == SearchStatus::no_bracket);
-  CHECK(bisect([nan](double) { return nan; }, Bracket{0.0, 1.0}, 1e-6, 10).status ==
+  CHECK(bisect(gap, Bracket{kNan, 1.0}, 1e-6, 10).status == SearchStatus::no_bracket);
+  CHECK(bisect([](double) { return kNan; }, Bracket{0.0, 1.0}, 1e-6, 10).status ==
         SearchStatus::no_bracket);
 }
 
 TEST_CASE("Bisection refuses a resolution or cap below zero", "[unit][bracket]") {
   const auto gap = [](double t) { return 0.3 - t; };
-  CHECK_THROWS_WITH(bisect(gap, Bracket{0.0, 1.0}, -1.0, 10), Catch::Contains("resolution"));
-  CHECK_THROWS_AS(bisect(gap, Bracket{0.0, 1.0}, std::numeric_limits<double>::quiet_NaN(), 10),
-                  std::invalid_argument);
-  CHECK_THROWS_WITH(bisect(gap, Bracket{0.0, 1.0}, 1e-6, -1), Catch::Contains("cap"));
+  CHECK_THROWS_WITH(bisect(gap, Bracket{0.0, 1.0}, -1.0, 10), Contains("resolution"));
+  CHECK_THROWS_AS(bisect(gap, Bracket{0.0, 1.0}, kNan, 10), std::invalid_argument);
+  CHECK_THROWS_WITH(bisect(gap, Bracket{0.0, 1.0}, 1e-6, -1), Contains("cap"));
 }

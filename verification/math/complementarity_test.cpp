@@ -2,11 +2,10 @@
 /// \brief The complementarity solver against hand-made problems and against trying everything.
 #include "tumble/math/complementarity.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/math/enumeration.hpp"
 
-#include "support/catch.hpp"
 #include "support/dense_solve.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 
@@ -228,26 +227,23 @@ TEST_CASE("The solver does not mind the unit of force or acceleration", "[unit][
 }
 
 TEST_CASE("Mistakes in a complementarity problem are refused", "[unit][lcp]") {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   ComplementaritySolver solver;
   ComplementarityResult result;
   const MatX A = square({2, 1, 1, 2});
   const VecX b = vector({-1, -1});
   using Wrong = std::invalid_argument;
-  CHECK_THROWS_WITH(solver.solve(MatX::Zero(2, 3), b, result),
-                    Catch::Contains("as many rows as columns"));
-  CHECK_THROWS_WITH(solver.solve(A, vector({1}), result), Catch::Contains("b: expected"));
-  CHECK_THROWS_WITH(solver.solve(A, vector({1, nan}), result), Catch::Contains("finite"));
-  CHECK_THROWS_WITH(solver.solve(square({2, nan, 1, 2}), b, result), Catch::Contains("finite"));
-  CHECK_THROWS_WITH(solver.solve(square({2, 1, 1.001, 2}), b, result),
-                    Catch::Contains("symmetric"));
+  CHECK_THROWS_WITH(solver.solve(MatX::Zero(2, 3), b, result), Contains("as many rows as columns"));
+  CHECK_THROWS_WITH(solver.solve(A, vector({1}), result), Contains("b: expected"));
+  CHECK_THROWS_WITH(solver.solve(A, vector({1, kNan}), result), Contains("finite"));
+  CHECK_THROWS_WITH(solver.solve(square({2, kNan, 1, 2}), b, result), Contains("finite"));
+  CHECK_THROWS_WITH(solver.solve(square({2, 1, 1.001, 2}), b, result), Contains("symmetric"));
   for (const std::vector<int>& start : {std::vector<int>{-1}, {2}, {0, 0}})
-    CHECK_THROWS_WITH(solver.solve(A, b, result, start), Catch::Contains("start: expected"));
+    CHECK_THROWS_WITH(solver.solve(A, b, result, start), Contains("start: expected"));
   CHECK_THROWS_AS(complementarity_residual(A, b, vector({1})), Wrong);
   CHECK_THROWS_AS(complementarity_residual(A, vector({1}), b), Wrong);
   CHECK_THROWS_AS(solve_by_enumeration(MatX::Zero(2, 3), b), Wrong);
   CHECK_THROWS_AS(solve_by_enumeration(A, vector({1})), Wrong);
-  CHECK_THROWS_AS(solve_by_enumeration(A, vector({nan, 1})), Wrong);
+  CHECK_THROWS_AS(solve_by_enumeration(A, vector({kNan, 1})), Wrong);
   CHECK_THROWS_AS(solve_by_enumeration(MatX::Identity(9, 9), VecX::Zero(9)), Wrong);
 }
 

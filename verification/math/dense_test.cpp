@@ -2,8 +2,8 @@
 /// \brief Factors that grow and shrink, against products written out.
 #include "tumble/math/dense.hpp"
 
-#include "support/catch.hpp"
 #include "support/dense_solve.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 

@@ -2,18 +2,15 @@
 /// \brief The elementary functions against the long double functions of the C library.
 #include "tumble/math/elementary.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/base/state_hash.hpp"
 #include "tumble/math/double_double.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double pi = 3.14159265358979324;
 
 bool same(double a, double b) {
@@ -24,7 +21,7 @@ bool same(double a, double b) {
 double units(double got, long double want) {
   const double rounded = static_cast<double>(want);
   if (same(got, rounded)) return 0.0;
-  if (!std::isfinite(got) || !std::isfinite(rounded)) return inf;
+  if (!std::isfinite(got) || !std::isfinite(rounded)) return kInfinity;
   int exponent = 0;
   std::frexp(rounded, &exponent);
   const long double unit = std::ldexp(1.0L, std::max(exponent, -1021) - 53);
@@ -109,8 +106,8 @@ TEST_CASE("The cardinal sine is within one unit and 1 at zero", "[unit][elementa
   CHECK(worst(-40.0, 40.0, elementary::sinc, judge) <= promised);
   CHECK(elementary::sinc(0.0) == 1.0);
   CHECK(elementary::sinc(-1e-200) == 1.0);
-  CHECK(elementary::sinc(inf) == 0.0);
-  CHECK(std::isnan(elementary::sinc(not_a_number)));
+  CHECK(elementary::sinc(kInfinity) == 0.0);
+  CHECK(std::isnan(elementary::sinc(kNan)));
 }
 
 TEST_CASE("Exponential and logarithm are within one unit in the last place", "[unit][elementary]") {
@@ -168,8 +165,8 @@ TEST_CASE("Arc functions are within one unit in the last place", "[unit][element
 }
 
 TEST_CASE("Special values of the elementary functions are those of C", "[unit][elementary]") {
-  constexpr std::array values{0.0,  -0.0, 1.0,  -1.0,  0.5,    -0.5,   2.0, -2.0, 3.0,
-                              -3.0, 2.5,  -2.5, 1e300, -1e300, 1e-310, inf, -inf, not_a_number};
+  constexpr std::array values{0.0,  -0.0, 1.0,  -1.0,  0.5,    -0.5,   2.0,       -2.0,       3.0,
+                              -3.0, 2.5,  -2.5, 1e300, -1e300, 1e-310, kInfinity, -kInfinity, kNan};
   int failures = 0;
   for (const double x : values) {
     if (std::isinf(x) || x == 0.0 || std::isnan(x)) {
@@ -191,11 +188,11 @@ TEST_CASE("Special values of the elementary functions are those of C", "[unit][e
     }
   }
   CHECK(failures == 0);
-  CHECK(same(elementary::exp(710.0), inf));
+  CHECK(same(elementary::exp(710.0), kInfinity));
   CHECK(same(elementary::exp(-746.0), 0.0));
-  CHECK(same(elementary::log(-1.0), not_a_number));
-  CHECK(same(elementary::asin(1.0000000000000002), not_a_number));
-  CHECK(same(elementary::acos(-1.0000000000000002), not_a_number));
+  CHECK(same(elementary::log(-1.0), kNan));
+  CHECK(same(elementary::asin(1.0000000000000002), kNan));
+  CHECK(same(elementary::acos(-1.0000000000000002), kNan));
   CHECK(elementary::acos(-1.0) == pi);
   CHECK(elementary::acos(1.0) == 0.0);
 }

@@ -3,11 +3,9 @@
 ///        complementarity.
 #include "tumble/math/least_squares.hpp"
 
-#include "tumble/base/random.hpp"
-
 #include "support/allocation_counter.hpp"
-#include "support/catch.hpp"
 #include "support/dense_solve.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 
@@ -182,13 +180,12 @@ TEST_CASE("Warm solvers of no larger problems ask for no memory", "[unit][least_
 }
 
 TEST_CASE("Mistakes in a least-squares problem are refused", "[unit][least_squares]") {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   NonNegativeLeastSquares solver;
   LeastSquaresResult result;
   const MatX G = MatX::Identity(2, 2);
-  CHECK_THROWS_WITH(solver.solve(G, VecX::Zero(3), result), Catch::Contains("d: expected"));
-  CHECK_THROWS_WITH(solver.solve(G, Vec2(nan, 0.0), result), Catch::Contains("finite"));
-  CHECK_THROWS_WITH(solver.solve(nan * G, Vec2(1.0, 0.0), result), Catch::Contains("finite"));
+  CHECK_THROWS_WITH(solver.solve(G, VecX::Zero(3), result), Contains("d: expected"));
+  CHECK_THROWS_WITH(solver.solve(G, Vec2(kNan, 0.0), result), Contains("finite"));
+  CHECK_THROWS_WITH(solver.solve(kNan * G, Vec2(1.0, 0.0), result), Contains("finite"));
   for (const std::vector<int>& start : {std::vector<int>{-1}, {2}, {1, 1}})
     CHECK_THROWS_AS(solver.solve(G, Vec2(1.0, 0.0), result, start), std::invalid_argument);
 }

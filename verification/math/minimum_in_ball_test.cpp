@@ -2,9 +2,7 @@
 /// \brief The least value of a quadratic function within a ball: friction of a contact patch, as an example.
 #include "tumble/math/minimum_in_ball.hpp"
 
-#include "tumble/base/random.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 

@@ -2,10 +2,8 @@
 /// \brief Sparse factors of 6×6 blocks, against Eigen's dense ones.
 #include "tumble/math/sparse_blocks.hpp"
 
-#include "tumble/base/random.hpp"
-
-#include "support/catch.hpp"
 #include "support/dense_solve.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 

@@ -2,10 +2,9 @@
 /// \brief GIF files read back by stb_image.
 #include "tumble/pictures/gif.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/pictures/palette.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 #if __has_include(<stb/stb_image.h>)
 #define STB_IMAGE_STATIC

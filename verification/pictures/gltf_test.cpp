@@ -2,11 +2,8 @@
 /// \brief glTF files read back: their structure, and the poses at their keys.
 #include "tumble/pictures/gltf.hpp"
 
-#include "tumble/base/random.hpp"
-#include "tumble/math/rotation.hpp"
-
 #include "live/json.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 #include <cstring>
 
@@ -127,10 +124,7 @@ RecordedRun three_boxes() {
   for (int k = 0; k < 9; ++k) {
     RecordedFrame frame{2.0 + 0.125 * k, {}};
     const auto add = [&](int box, const Vec3& position_w, const Quat& orientation_wb) {
-      RecordedPose pose;
-      pose.box = box;
-      pose.position_w = position_w;
-      pose.orientation_wb = orientation_wb;
+      RecordedPose pose{.box = box, .position_w = position_w, .orientation_wb = orientation_wb};
       frame.poses.push_back(pose);
     };
     add(0, Vec3(0.0, 0.5, -3.0), Quat::Identity());
@@ -243,7 +237,7 @@ TEST_CASE("The box of a glTF file is closed and its faces look outwards", "[exac
       CHECK((b - a).cross(c - a).normalized() == vector_at(normals, corners[k]));
       volume += a.dot(b.cross(c)) / 6.0;
     }
-    CHECK(volume == near(1.0).margin(1e-12));
+    CHECK(volume == near(1.0, 1e-12));
   }
   CHECK(used.size() == 1);  // one box for all
 }
@@ -278,5 +272,5 @@ TEST_CASE(
   CHECK(frame_at(run, 2.0 + 3.5 * 0.125).poses.size() == 3);
   CHECK(frame_at(run, 3.0).poses.size() == 2);
   CHECK_THROWS_WITH(frame_at(run, 1.99), Contains("recorded from 2 to 3 s"));
-  CHECK_THROWS_AS(frame_at(run, std::nan("")), std::invalid_argument);
+  CHECK_THROWS_AS(frame_at(run, kNan), std::invalid_argument);
 }

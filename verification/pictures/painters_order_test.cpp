@@ -2,19 +2,13 @@
 /// \brief The painter's order against rays from the eye, and the ring that has none.
 #include "tumble/pictures/painters_order.hpp"
 
-#include "tumble/base/random.hpp"
-#include "tumble/geometry/separation.hpp"
-
 #include "geometry/boxes.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Where a ray enters a box; infinite if it misses.
 double enters_at(const Box& box, const Vec3& origin, const Vec3& direction) {
@@ -27,9 +21,8 @@ std::vector<Box> disjoint_boxes(Random& random, int tries, double spread) {
   std::vector<Box> boxes;
   for (int k = 0; k < tries; ++k) {
     const Box box = random_box(random, spread, 1.5, 0.1);
-    const bool disjoint = std::all_of(boxes.begin(), boxes.end(), [&](const Box& other) {
-      return separation(box, other).distance > 0.0;
-    });
+    const bool disjoint = std::ranges::all_of(
+        boxes, [&](const Box& other) { return separation(box, other).distance > 0.0; });
     if (disjoint) boxes.push_back(box);
   }
   return boxes;
@@ -59,7 +52,7 @@ std::vector<int> places_in(const PaintersOrder& result) {
 
 bool is_permutation(const PaintersOrder& result, std::size_t count) {
   std::vector<int> sorted = flat(result);
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   for (std::size_t k = 0; k < sorted.size(); ++k)
     if (sorted[k] != static_cast<int>(k)) return false;
   return sorted.size() == count;

@@ -2,25 +2,18 @@
 /// \brief Pictures against rays from the eye, and their cameras, shades and shadows.
 #include "tumble/pictures/picture.hpp"
 
-#include "tumble/base/random.hpp"
-#include "tumble/geometry/separation.hpp"
 #include "tumble/pictures/lighting.hpp"
 #include "tumble/pictures/painters_order.hpp"
 #include "tumble/pictures/world_picture.hpp"
-#include "tumble/scenes/library.hpp"
-#include "tumble/techniques.hpp"
 
 #include "geometry/boxes.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using test::Stretch;
 using test::stretch_in;
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 PictureBox upright(const Vec3& center, const Vec3& size) {
   return {make_box(center, Quat::Identity(), size)};
@@ -48,8 +41,7 @@ bool contains(const Polygon& loop, const Vec2& p) {
 }
 
 bool contains(const PictureArea& area, const Vec2& p) {
-  return std::any_of(area.loops.begin(), area.loops.end(),
-                     [&](const Polygon& loop) { return contains(loop, p); });
+  return std::ranges::any_of(area.loops, [&](const Polygon& loop) { return contains(loop, p); });
 }
 
 // The box whose face was painted last at a pixel.
@@ -117,24 +109,18 @@ std::vector<PictureBox> falling_boxes(Random& random, int tries) {
     const Quat orientation = random.orientation();
     const Vec3 size = random.in_cube(4.0).cwiseAbs().cwiseProduct(Vec3(1.0, 0.3, 0.3));
     const Box box = make_box(center, orientation, size + Vec3::Constant(0.1));
-    const bool disjoint = std::all_of(boxes.begin(), boxes.end(), [&](const PictureBox& other) {
-      return separation(box, other.box).distance > 0.0;
-    });
+    const bool disjoint = std::ranges::all_of(
+        boxes, [&](const PictureBox& other) { return separation(box, other.box).distance > 0.0; });
     if (disjoint) boxes.push_back({box});
   }
   return boxes;
 }
 
 // A built-in scene after some steps.
-std::vector<PictureBox> scene_boxes(const char* name, const char* key, const char* value, int steps,
+std::vector<PictureBox> scene_boxes(const char* name, const char* setting, int steps,
                                     std::uint64_t seed) {
-  const SceneRecipe& recipe = scene_recipe(name);
-  Parameters parameters = recipe.parameters();
-  parameters.set(key, value);
-  World world = build_world(recipe.build(parameters, Random(seed)));
-  Parameters options = technique_recipe("basic").options();
-  options.set("event_cap", "20");
-  const auto technique = technique_recipe("basic").make(options, seed);
+  World world = build_world(make_scene(name, {setting}, seed));
+  const auto technique = make_technique("basic", {"event_cap=20"}, seed);
   for (int k = 0; k < steps; ++k) technique->step(world, 1.0 / 60.0);
   return picture_boxes(world);
 }
@@ -142,11 +128,11 @@ std::vector<PictureBox> scene_boxes(const char* name, const char* key, const cha
 std::vector<PictureBox> scene_number(int number, Random& random) {
   const auto seed = static_cast<std::uint64_t>(number);
   switch (number % 8) {
-    case 0: return scene_boxes("clump", "per_edge", "3", 40, seed);  // settling
-    case 1: return scene_boxes("dice", "count", "20", 25, seed);     // bouncing
-    case 2: return scene_boxes("pyramid", "rows", "6", 0, seed);
-    case 3: return scene_boxes("pyramid3d", "rows", "4", 0, seed);
-    case 4: return scene_boxes("wall", "bricks", "3", 0, seed);
+    case 0: return scene_boxes("clump", "per_edge=3", 40, seed);  // settling
+    case 1: return scene_boxes("dice", "count=20", 25, seed);     // bouncing
+    case 2: return scene_boxes("pyramid", "rows=6", 0, seed);
+    case 3: return scene_boxes("pyramid3d", "rows=4", 0, seed);
+    case 4: return scene_boxes("wall", "bricks=3", 0, seed);
     default: return falling_boxes(random, 100);
   }
 }
@@ -267,7 +253,7 @@ TEST_CASE(
       if (middle.y() < highest) top = green;
       highest = std::min(highest, middle.y());
     }
-    std::sort(sides.begin(), sides.end());
+    std::ranges::sort(sides);
     const std::uint32_t left = sides.front().second;
     const std::uint32_t right = sides.back().second;
     CHECK(top > left + 8);  // of 255 levels; measured 23
@@ -318,9 +304,7 @@ TEST_CASE("All that is drawn is inside the picture, also from within the scene",
           "[exact][picture]") {
   const std::vector<PictureBox> boxes = {upright(Vec3(0.0, 0.5, 0.0), Vec3(40.0, 1.0, 1.0)),
                                          upright(Vec3(2.0, 30.0, -40.0), Vec3(1.0, 60.0, 1.0))};
-  Camera camera;
-  camera.eye_w = Vec3(0.0, 2.0, 6.0);
-  camera.target_w = Vec3(0.0, 1.0, 0.0);
+  Camera camera{.eye_w = Vec3(0.0, 2.0, 6.0), .target_w = Vec3(0.0, 1.0, 0.0)};
   const Picture picture = draw_boxes(boxes, camera);
   int outside = 0;
   for (const PictureArea& area : picture.areas) {
@@ -341,8 +325,8 @@ TEST_CASE("The floor is left out when the eye is below it or nothing stands on i
   const std::vector<PictureBox> cube = {upright(Vec3(0.0, 0.5, 0.0), Vec3::Ones())};
   const auto floor_areas = [&](const Camera& camera, const std::vector<PictureBox>& boxes) {
     const Picture picture = draw_boxes(boxes, camera);
-    return std::count_if(picture.areas.begin(), picture.areas.end(),
-                         [](const PictureArea& area) { return area.box == kNoBox; });
+    return std::ranges::count_if(picture.areas,
+                                 [](const PictureArea& area) { return area.box == kNoBox; });
   };
   CHECK(floor_areas(camera_for(cube, Vec3(1.0, 1.0, 1.0), 300.0, 200.0, true), cube) > 0);
   CHECK(floor_areas(camera_for(cube, Vec3(1.0, -1.0, 1.0), 300.0, 200.0, false), cube) == 0);

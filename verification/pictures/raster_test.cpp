@@ -5,7 +5,7 @@
 #include "tumble/pictures/film.hpp"
 #include "tumble/pictures/lettering.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 
@@ -21,15 +21,8 @@ Polygon rectangle(double left, double top, double right, double bottom) {
 }
 
 Picture picture_of(std::vector<Polygon> loops, std::uint32_t colour, double opacity) {
-  PictureArea area;
-  area.loops = std::move(loops);
-  area.colour = colour;
-  area.opacity = opacity;
-  Picture picture;
-  picture.width = 8.0;
-  picture.height = 6.0;
-  picture.areas = {area};
-  return picture;
+  PictureArea area{.loops = std::move(loops), .colour = colour, .opacity = opacity};
+  return Picture{.width = 8.0, .height = 6.0, .areas = {area}};
 }
 
 Film film_of_a_fall() {
@@ -59,7 +52,7 @@ TEST_CASE("A partly covered pixel is blended by the covered share", "[exact][pic
   CHECK(pixel(half, 2, 3) == white);
   // Overlapping polygons darken once, in any sense of rotation; opacity blends in the same way.
   Polygon turned = rectangle(2.0, 0.0, 7.0, 6.0);
-  std::reverse(turned.begin(), turned.end());
+  std::ranges::reverse(turned);
   const Raster both =
       rasterised(picture_of({rectangle(0.0, 0.0, 5.0, 6.0), turned}, 0xff0000, 0.4));
   CHECK(pixel(both, 1, 3) == std::array<int, 3>{255, 153, 153});
@@ -73,7 +66,7 @@ TEST_CASE("Areas outside a picture are not painted, and its size is checked", "[
   for (const int x : {0, 7})
     for (const int y : {0, 5}) CHECK(pixel(all, x, y) == std::array<int, 3>{0x10, 0x20, 0x30});
   const Raster none = rasterised(picture_of({rectangle(9.0, 0.0, 12.0, 6.0)}, 0, 1.0));
-  CHECK(std::count(none.rgb.begin(), none.rgb.end(), 255) == 3 * 8 * 6);
+  CHECK(std::ranges::count(none.rgb, 255) == 3 * 8 * 6);
   // Two points are a line: it has an outline and no inside.
   Picture line = picture_of({{Vec2(1.0, 2.5), Vec2(7.0, 2.5)}}, 0xff0000, 1.0);
   CHECK(pixel(rasterised(line), 4, 2) == std::array<int, 3>{255, 255, 255});
@@ -121,7 +114,7 @@ TEST_CASE("All frames of a film are seen by one camera and have their time in a 
     for (int y = 8; y < 20; ++y)
       for (int x = 8; x < 50; ++x)
         corner.push_back(static_cast<std::uint8_t>(pixel(raster, x, y)[1]));
-    CHECK(std::count_if(corner.begin(), corner.end(), [](int c) { return c < 0x60; }) > 20);
+    CHECK(std::ranges::count_if(corner, [](int c) { return c < 0x60; }) > 20);
     corners.emplace(corner.begin(), corner.end());
     // The floor is the same in each frame, wherever the box is.
     CHECK(pixel(raster, 100, 70) == pixel(painter.painted(0), 100, 70));

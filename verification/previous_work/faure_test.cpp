@@ -2,19 +2,16 @@
 /// \brief Faure's iteration, as a solver and as a technique.
 #include "tumble/previous_work/faure.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/previous_work/faure_solver.hpp"
 
 #include "impulse_damped/scene_runs.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-
-constexpr double kEarth = 9.81;  // [m/s²]
 
 // Contacts that depend on each other: A = J Jᵀ with fewer columns than rows, b in its range so that there is an answer.
 LcpProblem coupled(std::uint64_t seed, int rows, int columns) {
@@ -57,8 +54,7 @@ Stacked stack_with(int budget, bool warm) {
 
 // Cubes without friction that fly into each other in free space.
 World crowd(std::uint64_t seed) {
-  World world;
-  world.gravity_w = Vec3::Zero();
+  World world = weightless_world();
   for (std::uint64_t k = 0; k < 12; ++k) {
     Random chance = Random(seed).fork(k);
     BodyProperties body = box_properties(Vec3::Ones(), chance.uniform(0.3, 3.0));
@@ -66,7 +62,7 @@ World crowd(std::uint64_t seed) {
     const Vec3 place_w = chance.in_cube(2.5);
     const Quat turn = chance.orientation();
     const Vec3 push_w = -place_w + chance.in_cube(1.0);
-    world.add(body, make_state(body, place_w, turn, push_w));
+    world.add(body, place_w, turn, push_w);
   }
   return world;
 }
@@ -128,23 +124,22 @@ TEST_CASE("Without any step of the iteration nothing holds a box", "[unit][faure
   World world = world_of("stack", {{"count", "1"}});
   Faure technique({.budget = 0});
   technique.step(world, kFrame);
-  CHECK(world.states()[1].linear_momentum_w.y() == near(-kEarth * kFrame).margin(1e-12));
+  CHECK(world.states()[1].linear_momentum_w.y() == near(-kGravity * kFrame, 1e-12));
   CHECK(technique.descent().iterations == 0);
   CHECK_FALSE(technique.descent().settled);
 }
 
 TEST_CASE("Under Faure's method a cube bounces with its restitution", "[exact][faure]") {
   for (const double e : {0.3, 0.9}) {
-    World world;
-    world.gravity_w = Vec3::Zero();
+    World world = weightless_world();
     BodyProperties cube = box_properties(Vec3::Ones(), 2.0);
     cube.restitution = e;
     const BodyProperties wall = fixed_box_properties(Vec3(1.0, 4.0, 4.0));
-    world.add(wall, make_state(wall, Vec3::Zero()));
-    world.add(cube, make_state(cube, Vec3(1.1, 0.0, 0.0), Quat::Identity(), Vec3(-3.0, 0.0, 0.0)));
+    world.add(wall, Vec3::Zero());
+    world.add(cube, Vec3(1.1, 0.0, 0.0), Quat::Identity(), Vec3(-3.0, 0.0, 0.0));
     Faure technique;
     run(world, technique, 0.5);
-    CHECK(world.states()[1].linear_momentum_w.x() == near(2.0 * 3.0 * e).margin(1e-5));
+    CHECK(world.states()[1].linear_momentum_w.x() == near(2.0 * 3.0 * e, 1e-5));
   }
 }
 

@@ -2,14 +2,13 @@
 /// \brief Joint forces in linear time, against a dense solver and against Featherstone's articulated bodies.
 #include "tumble/previous_work/joint_tree.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/exterior_rotation/glued.hpp"
 #include "tumble/exterior_rotation/joint_forces.hpp"
 
 #include "impulse_damped/scene_runs.hpp"
 #include "previous_work/articulated_body.hpp"
-#include "support/catch.hpp"
 #include "support/dense_solve.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -37,10 +36,7 @@ struct RandomTree {
     }
   }
   void join(Random& chance, int first, int second, int rows) {
-    JointRows joint;
-    joint.first = first;
-    joint.second = second;
-    joint.count = rows;
+    JointRows joint{.first = first, .second = second, .count = rows};
     const Mat3 axes = chance.orientation().toRotationMatrix();
     const Vec3 arm_first = chance.in_cube(1.0);
     const Vec3 arm_second = chance.in_cube(1.0);
@@ -98,7 +94,7 @@ struct HungBoxes {
   HungBoxes(std::uint64_t seed, int count, int children) {
     Random chance(seed);
     const BodyProperties wall = fixed_box_properties(Vec3::Ones());
-    world.add(wall, make_state(wall, Vec3::Zero()));
+    world.add(wall, Vec3::Zero());
     std::vector<Vec3> spin_w{Vec3::Zero()}, speed_w{Vec3::Zero()};
     for (int k = 1; k <= count; ++k) {
       const int parent = k == 1 ? 0 : 1 + (k - 2) / children;
@@ -111,12 +107,8 @@ struct HungBoxes {
       const Vec3 at_anchor_w = speed_w[p] + spin_w[p].cross(anchor_w - on.position_w);
       speed_w.push_back(at_anchor_w + spin_w.back().cross(arm_w));
       const BodyProperties box = box_properties(Vec3(1.0, 0.4, 0.7), chance.uniform(0.5, 2.0));
-      world.add(box, make_state(box, anchor_w + arm_w, turn, speed_w.back(), spin_w.back()));
-      Joint joint;
-      joint.first = parent;
-      joint.second = k;
-      joint.count = 1;
-      joint.hold = JointHold::corner;
+      world.add(box, anchor_w + arm_w, turn, speed_w.back(), spin_w.back());
+      Joint joint{.first = parent, .second = k, .count = 1, .hold = JointHold::corner};
       const BodyState& own = world.states()[static_cast<std::size_t>(k)];
       const BodyState& other = world.states()[p];
       joint.corners_first_b[0] = other.orientation_wb.conjugate() * (anchor_w - other.position_w);
@@ -164,8 +156,7 @@ TEST_CASE("Accelerations of chains are those of Featherstone's articulated bodie
   for (const int children : {1, 2}) {
     for (const int count : {1, 2, 10, 40}) {
       HungBoxes hung(static_cast<std::uint64_t>(count), count, children);
-      std::vector<MovingBody> moving;
-      load_moving_bodies(hung.world, moving);
+      std::vector<MovingBody> moving = moving_bodies(hung.world);
       const std::vector<Spatial> exact = articulated_accelerations(
           hung.links, {moving.begin() + 1, moving.end()}, hung.world.gravity_w);
       JointForces forces;
@@ -215,8 +206,7 @@ TEST_CASE("A chain that closes a loop keeps all its joints together", "[exact][a
   closing.corners_first_b[0] = hung.world.states()[6].position_w;
   hung.joints.push_back(closing);
   hung.joints.push_back(closing);  // a second time: rows that depend on others get no force
-  std::vector<MovingBody> moving;
-  load_moving_bodies(hung.world, moving);
+  std::vector<MovingBody> moving = moving_bodies(hung.world);
   JointForces forces;
   std::vector<Wrench> rates;
   forces.hold(hung.world, moving, hung.joints, rates);
@@ -244,7 +234,7 @@ TEST_CASE("A glued column of two hundred boxes turns as one", "[exact][articulat
   World world;
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
   constexpr int kBoxes = 200;
-  for (int k = 0; k < kBoxes; ++k) world.add(cube, make_state(cube, Vec3(0.0, 0.5 + k, 0.0)));
+  for (int k = 0; k < kBoxes; ++k) world.add(cube, Vec3(0.0, 0.5 + k, 0.0));
   world.states()[0].linear_momentum_w.x() = 1.0;
   Glued technique({.scheme = GluedScheme::semi_implicit});
   technique.step(world, 0.001);

@@ -7,8 +7,8 @@
 #include "tumble/previous_work/parallel_chains.hpp"
 #include "tumble/record/sampling.hpp"
 
-#include "support/catch.hpp"
 #include "support/files.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -58,8 +58,8 @@ Bounce bounce(const ImpactNoise& noise, double range) {
   Bounce out;
   World& world = out.world;
   world.add_ground(0.0, 0.5);
-  const BodyProperties cube = box_properties(Vec3::Constant(0.1), 1.0, 0.0, 0.5);
-  world.add(cube, make_state(cube, Vec3(0.0, 0.3, 0.0), Quat::Identity(), Vec3(1.0, 0.0, 0.0)));
+  world.add(box_properties(Vec3::Constant(0.1), 1.0, 0.0, 0.5), Vec3(0.0, 0.3, 0.0),
+            Quat::Identity(), Vec3(1.0, 0.0, 0.0));
   NoisyImpacts technique(std::make_unique<ContactDamped>(), noise,
                          {.normal = 0.0, .restitution = range});
   while (technique.impacts().empty() && world.steps() < 100) {
@@ -244,7 +244,7 @@ TEST_CASE("Tables and replays that cannot be of a chain are refused", "[unit][sa
   CHECK_THROWS_AS(chain.replay({}), std::invalid_argument);
   NoiseChain other(Random(7), 2.0);
   other.replay(chain.proposals());
-  CHECK_THROWS_WITH(other.take(other.propose(no_luck)), Catch::Contains("go on with the scene"));
+  CHECK_THROWS_WITH(other.take(other.propose(no_luck)), Contains("go on with the scene"));
 
   const Folder folder("chain_table");
   std::filesystem::create_directories(folder.path);
@@ -254,8 +254,8 @@ TEST_CASE("Tables and replays that cannot be of a chain are refused", "[unit][sa
         "0,all,0,0,0,1,nan,1\n", "0,all,0,0,0,1\n", "0,all,0,0,-1,1,0,1\n"}) {
     std::ofstream(folder.path / "chain.csv") << head << row;
     INFO(row);
-    CHECK_THROWS_WITH(read_chain(folder.path / "chain.csv"), Catch::Contains("chain.csv:2: "));
+    CHECK_THROWS_WITH(read_chain(folder.path / "chain.csv"), Contains("chain.csv:2: "));
   }
   std::ofstream(folder.path / "chain.csv") << "time_s,body\n";
-  CHECK_THROWS_WITH(read_chain(folder.path / "chain.csv"), Catch::Contains("chain.csv:1: "));
+  CHECK_THROWS_WITH(read_chain(folder.path / "chain.csv"), Contains("chain.csv:1: "));
 }

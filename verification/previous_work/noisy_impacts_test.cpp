@@ -2,10 +2,7 @@
 /// \brief Noise in the impacts of a technique.
 #include "tumble/previous_work/noisy_impacts.hpp"
 
-#include "tumble/dynamics/energy.hpp"
-#include "tumble/techniques.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -22,12 +19,11 @@ World meeting(std::uint64_t seed, bool ground) {
   for (int k = 0; k < 2; ++k) {
     const double mass = chance.uniform(0.5, 3.0);
     const double e = chance.uniform(0.0, 0.9);
-    const BodyProperties box = box_properties(Vec3(0.5, 0.7, 0.4), mass, 0.4, e);
     const Quat turned = chance.orientation();
     const Vec3 spin_w = chance.in_cube(3.0);
     const Vec3 at_w(0.0, ground ? 0.8 + k : 1.0, ground ? 2.0 * k : 1.2 * k);
     const Vec3 fast_w(0.3, ground ? -2.0 : 0.0, ground ? 0.0 : 2.0 - 4.0 * k);
-    world.add(box, make_state(box, at_w, turned, fast_w, spin_w));
+    world.add(box_properties(Vec3(0.5, 0.7, 0.4), mass, 0.4, e), at_w, turned, fast_w, spin_w);
   }
   return world;
 }
@@ -133,8 +129,7 @@ TEST_CASE("The values of one impact change nothing before it", "[unit][sampling]
 TEST_CASE("Noise out of range is refused", "[unit][sampling]") {
   for (const ImpactNoiseOptions& options :
        {ImpactNoiseOptions{.speed = -1.0}, ImpactNoiseOptions{.normal = 2.0},
-        ImpactNoiseOptions{.restitution = -0.1},
-        ImpactNoiseOptions{.normal = std::numeric_limits<double>::quiet_NaN()}})
+        ImpactNoiseOptions{.restitution = -0.1}, ImpactNoiseOptions{.normal = kNan}})
     CHECK_THROWS_AS(NoisyImpacts(make_technique("basic"), ImpactNoise(), options),
                     std::invalid_argument);
   CHECK_THROWS_AS(NoisyImpacts(nullptr, ImpactNoise()), std::invalid_argument);

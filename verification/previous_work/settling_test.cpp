@@ -3,14 +3,12 @@
 #include "tumble/previous_work/settling.hpp"
 
 #include "impulse_damped/scene_runs.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
 using namespace tumble;
 using namespace tumble::test;
-
-constexpr double kEarth = 9.81;  // [m/s²]
 
 // Force and torque of all contacts on a body.
 struct Load {
@@ -34,12 +32,9 @@ Load load_on(const World& world, const Technique& technique, std::size_t body) {
 
 TEST_CASE("The nearest motion of a cube above the ground stops at the ground",
           "[exact][settling]") {
-  World world;
-  world.add_ground();
-  const BodyProperties cube = box_properties(Vec3::Ones(), 2.0);
-  world.add(cube, make_state(cube, Vec3(0.0, 0.6, 0.0)));
-  std::vector<MovingBody> bodies;
-  load_moving_bodies(world, bodies);
+  World world = ground_world();
+  world.add(box_properties(Vec3::Ones(), 2.0), Vec3(0.0, 0.6, 0.0));
+  std::vector<MovingBody> bodies = moving_bodies(world);
   ContactList contacts;
   const IndexPair pair{0, 1};
   gather_contacts(world, bodies, {&pair, 1}, 1.0, {}, contacts);
@@ -54,16 +49,15 @@ TEST_CASE("The nearest motion of a cube above the ground stops at the ground",
   double push = 0.0;
   for (int k = 0; k < 4; ++k)
     push += contacts[0].points[static_cast<std::size_t>(k)].normal_impulse;
-  CHECK(push == near(2.0 * 0.3).margin(1e-11));  // m times what is missing
+  CHECK(push == near(2.0 * 0.3, 1e-11));  // m times what is missing
   CHECK(program.multiplications() >= 16);
 }
 
 TEST_CASE("A free box falls by the reach in each step of settling, whatever its speed",
           "[exact][settling]") {
   World world;
-  const BodyProperties box = box_properties(Vec3(1.0, 0.5, 2.0), 3.0);
-  world.add(box, make_state(box, Vec3::Zero(), Quat::Identity(), Vec3(4.0, 5.0, 0.0),
-                            Vec3(1.0, 2.0, 3.0)));
+  world.add(box_properties(Vec3(1.0, 0.5, 2.0), 3.0), Vec3::Zero(), Quat::Identity(),
+            Vec3(4.0, 5.0, 0.0), Vec3(1.0, 2.0, 3.0));
   Settling technique({.reach = 0.2});
   for (int k = 0; k < 10; ++k) technique.step(world, kFrame);
   CHECK((world.states()[0].position_w - Vec3(0.0, -10.0 * 0.2 * 0.5, 0.0)).norm() < 1e-14);
@@ -84,7 +78,7 @@ TEST_CASE("Settled boxes carry their weight with the forces of a minimum", "[exa
       energy = now;
     }
     for (std::size_t k = 1; k < world.bodies().size(); ++k) {
-      const double weight = world.bodies()[k].mass * kEarth;
+      const double weight = world.bodies()[k].mass * kGravity;
       const Load load = load_on(world, technique, k);
       CAPTURE(seed, k);
       CHECK((load.force_w - Vec3(0.0, weight, 0.0)).norm() < 1e-6 * weight);  // measured: 1e-9
@@ -97,7 +91,7 @@ TEST_CASE("A box on an edge topples into its well, and a stack stays", "[exact][
   World drop = world_of("box_drop");
   Settling topples;
   run(drop, topples, 3.0);
-  CHECK(drop.states()[1].position_w.y() == near(0.5).margin(1e-6));
+  CHECK(drop.states()[1].position_w.y() == near(0.5, 1e-6));
   World stack = world_of("stack");
   const World start = stack;
   Settling stays;

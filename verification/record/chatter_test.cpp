@@ -2,10 +2,7 @@
 /// \brief The measure of chatter against paths made by hand.
 #include "tumble/record/chatter.hpp"
 
-#include "tumble/base/random.hpp"
-#include "tumble/math/rotation.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -20,8 +17,7 @@ struct Led {
 
   Chatter measured(double dt, double duration) const {
     World world;
-    const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-    const BodyId id = world.add(cube, path(0.0));
+    const BodyId id = world.add(box_properties(Vec3::Ones(), 1.0), path(0.0));
     ChatterMeter meter;
     const auto add = [&](double time) {
       world.set_state(id, path(time));
@@ -38,10 +34,7 @@ struct Led {
 };
 
 BodyState at(const Vec3& position_w, const Quat& orientation_wb = Quat::Identity()) {
-  BodyState state;
-  state.position_w = position_w;
-  state.orientation_wb = orientation_wb;
-  return state;
+  return BodyState{.position_w = position_w, .orientation_wb = orientation_wb};
 }
 
 }  // namespace
@@ -157,8 +150,7 @@ TEST_CASE("Each body that rests is reported with its own chatter", "[exact][reco
   // In turn: one that is fixed, one to and fro in every frame by a, one that slides, one to and fro in
   // four frames by 3 a, one that loses contact, one that is still.
   const double a = 1e-4;  // [m]
-  World world;
-  world.add_ground();
+  World world = test::ground_world();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
   world.add(fixed_box_properties(Vec3::Ones()), at(Vec3(-3.0, 0.5, 0.0)));
   std::vector<BodyId> ids;

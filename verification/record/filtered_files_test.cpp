@@ -4,11 +4,9 @@
 #include "tumble/record/csv_cells.hpp"
 #include "tumble/record/recorded_run.hpp"
 #include "tumble/record/run_files.hpp"
-#include "tumble/scenes/library.hpp"
-#include "tumble/techniques.hpp"
 
-#include "support/catch.hpp"
 #include "support/files.hpp"
+#include "support/test.hpp"
 
 #include <fstream>
 
@@ -27,10 +25,7 @@ std::vector<std::vector<std::string>> rows_of(const fs::path& path) {
 
 // A box of which one appears later; turning, so that angular velocity depends on the orientation.
 Scene dice() {
-  const SceneRecipe& recipe = scene_recipe("dice");
-  Parameters settings = recipe.parameters();
-  settings.set("count", "2");
-  Scene scene = recipe.build(settings, Random(3));
+  Scene scene = make_scene("dice", {"count=2"}, 3);
   scene.boxes[0].size = Vec3(0.02, 0.03, 0.05);
   scene.boxes[1].appears = 0.2;
   scene.boxes[1].name = "a \"late\", one";
@@ -38,9 +33,7 @@ Scene dice() {
 }
 
 RunDescription description(const std::string& filter, int every = 1) {
-  RunDescription d;
-  d.scene = "dice";
-  d.technique = "contact_damped";
+  RunDescription d{.scene = "dice", .technique = "contact_damped"};
   d.run.duration = 0.8083;  // [s] 48 steps and a cut one
   d.run.every = every;
   d.filter = filter;
@@ -66,11 +59,10 @@ class Spoiler : public Technique {
   std::string_view name() const override { return "spoiler"; }
   StepReport step(World& world, double dt) override {
     world.finish_step(dt);
-    const double bad = std::numeric_limits<double>::quiet_NaN();
     for (BodyState& state : world.states()) {
       state.position_w.x() += dt;
-      if (world.steps() == bad_ && !momentum_) state.position_w.y() = bad;
-      if (world.steps() == bad_ && momentum_) state.angular_momentum_w.y() = bad;
+      if (world.steps() == bad_ && !momentum_) state.position_w.y() = kNan;
+      if (world.steps() == bad_ && momentum_) state.angular_momentum_w.y() = kNan;
     }
     return {};
   }
@@ -91,8 +83,7 @@ TEST_CASE("The filtered trajectory has the filter's poses, the same rows and com
       INFO(filter << ", every " << every);
       const Folder folder("filtered_poses");
       const Scene scene = dice();
-      const auto technique =
-          technique_recipe("contact_damped").make(technique_recipe("contact_damped").options(), 1);
+      const auto technique = make_technique("contact_damped");
       Recorder recorder(every);
       const RunDescription d = description(filter, every);
       RunFiles files(folder.path, d, scene);
@@ -142,8 +133,7 @@ TEST_CASE("Frames are written when the filter shows them, and the rest when the 
   const Folder folder("filtered_stream");
   fs::create_directories(folder.path);
   World world;
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
-  world.add(cube, make_state(cube, Vec3::Zero()));
+  world.add(box_properties(Vec3::Ones(), 1.0), Vec3::Zero());
   FilteredTrajectoryFile file(folder.path / kFilteredFile, *filter_of("box:7"));
   for (int k = 0; k < 10; ++k) {
     file.write(world);

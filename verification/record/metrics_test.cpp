@@ -2,10 +2,9 @@
 /// \brief Energy, overlap and momenta as a run measures them.
 #include "tumble/record/metrics.hpp"
 
-#include "tumble/math/rotation.hpp"
 #include "tumble/record/metrics_table.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -15,7 +14,7 @@ BodyId add(World& world, const Vec3& position_w, const Quat& orientation_wb = Qu
            bool fixed = false) {
   const BodyProperties body =
       fixed ? fixed_box_properties(Vec3::Ones()) : box_properties(Vec3::Ones(), 1.0);
-  return world.add(body, make_state(body, position_w, orientation_wb));
+  return world.add(body, position_w, orientation_wb);
 }
 
 double overlap_of(const World& world) { return MetricsMeter().begin(world).deepest_overlap; }
@@ -25,9 +24,8 @@ double overlap_of(const World& world) { return MetricsMeter().begin(world).deepe
 TEST_CASE("What changes the energy and is not booked is the energy error", "[exact][record]") {
   // 2 kg at 3 m/s: 9 J. Slowed to 1 m/s, 1 J; of the 8 J lost, 5.5 J are booked. L is the shortest edge.
   World world;
-  const BodyProperties body = box_properties(Vec3(0.5, 1.0, 2.0), 2.0);
-  const BodyId id =
-      world.add(body, make_state(body, Vec3(0.0, 5.0, 0.0), Quat::Identity(), Vec3(3.0, 0.0, 0.0)));
+  const BodyId id = world.add(box_properties(Vec3(0.5, 1.0, 2.0), 2.0), Vec3(0.0, 5.0, 0.0),
+                              Quat::Identity(), Vec3(3.0, 0.0, 0.0));
   MetricsMeter meter;
   const Metrics start = meter.begin(world);
   CHECK(start.kinetic == 9.0);
@@ -88,12 +86,11 @@ TEST_CASE("The deepest overlap is that of the closed form", "[exact][record]") {
 
 TEST_CASE("A world that has become infinite is reported as such and nothing throws",
           "[unit][record]") {
-  World world;
-  world.add_ground();
+  World world = test::ground_world();
   add(world, Vec3(0.0, 1.0, 0.0));
   MetricsMeter meter;
   meter.begin(world);
-  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+  for (const double bad : {kNan, kInfinity}) {
     world.states()[1].position_w.y() = bad;
     const Metrics m = meter.measure(world, {});
     CHECK(!std::isfinite(m.potential));
@@ -105,8 +102,7 @@ TEST_CASE("Every column of metrics.csv has a name of its own and is a number", "
   std::set<std::string_view> names;
   Metrics m;
   m.chatter.bodies = 3;
-  StepReport report;
-  report.events = 7;
+  StepReport report{.events = 7};
   int counts = 0;
   for (const MetricsColumn& column : metrics_columns()) {
     INFO(column.name);

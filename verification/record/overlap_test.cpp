@@ -2,10 +2,7 @@
 /// \brief Contacts and overlap of bodies.
 #include "tumble/record/overlap.hpp"
 
-#include "tumble/dynamics/world.hpp"
-#include "tumble/math/rotation.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -15,14 +12,13 @@ void add(World& world, const Vec3& position_w, bool fixed = false,
          const Quat& orientation_wb = Quat::Identity()) {
   const BodyProperties body =
       fixed ? fixed_box_properties(Vec3::Ones()) : box_properties(Vec3::Ones(), 1.0);
-  world.add(body, make_state(body, position_w, orientation_wb));
+  world.add(body, position_w, orientation_wb);
 }
 
 }  // namespace
 
 TEST_CASE("How deep a body is in others is the deepest of its pairs", "[exact][record]") {
-  World world;
-  world.add_ground();
+  World world = test::ground_world();
   add(world, Vec3(0.0, 0.375, 0.0));        // 1: 1/8 m in the ground
   add(world, Vec3(0.0, 1.3125, 0.0));       // 2: 1/16 m in 1
   add(world, Vec3(0.96875, 1.34375, 0.0));  // 3: 1/32 m in 2

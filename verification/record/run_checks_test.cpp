@@ -4,17 +4,11 @@
 
 #include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/record/hit_check.hpp"
 #include "tumble/record/passage_check.hpp"
 #include "tumble/record/run.hpp"
-#include "tumble/scenes/simulation.hpp"
-#include "tumble/techniques.hpp"
 
-#include "support/catch.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "support/test.hpp"
 
 namespace {
 
@@ -62,10 +56,7 @@ SceneBox cube(const std::string& name, const Vec3& position_w, const Vec3& veloc
 RunResult ran(const Scene& scene, double gain = 1.0) {
   Ghosts ghosts;
   ghosts.gain = gain;
-  RunSettings settings;
-  settings.dt = 0.1;
-  settings.duration = 1.0;
-  return run_scene(scene, ghosts, settings, {});
+  return run_scene(scene, ghosts, {.dt = 0.1, .duration = 1.0}, {});
 }
 
 Scene two(const Vec3& second_w, const Vec3& first_velocity_w, const Vec3& second_velocity_w) {
@@ -79,12 +70,8 @@ Scene two(const Vec3& second_w, const Vec3& first_velocity_w, const Vec3& second
 // A rod of 2 m and 5 mm that falls on the ground and spins about its axis, by a third of a radian in a step; a blow at
 // its end makes that many radians.
 Scene falling_rod() {
-  Scene scene;
-  scene.ground = SceneGround{0.4, 0.2};
-  SceneBox rod;
-  rod.name = "rod";
-  rod.size = Vec3(2.0, 0.005, 0.005);
-  rod.position_w = Vec3(0.0, 1.2, 0.0);
+  Scene scene{.ground = SceneGround{0.4, 0.2}};
+  SceneBox rod{.name = "rod", .size = Vec3(2.0, 0.005, 0.005), .position_w = Vec3(0.0, 1.2, 0.0)};
   rod.orientation_wb =
       Quat(0.976382586165042, -0.022665635416815, 0.128543206069468, 0.172162593434805);
   rod.orientation_wb.normalize();
@@ -204,9 +191,7 @@ TEST_CASE("A body that turns through another one within a step is found", "[unit
   }
   SECTION("a body whose spin has changed may have turned back") {
     TurningBack turning_back;
-    RunSettings settings;
-    settings.dt = 0.1;
-    settings.duration = 0.1;
+    RunSettings settings{.dt = 0.1, .duration = 0.1};
     const auto worst = [&](double spin) {
       return run_scene(rotor(spin), turning_back, settings, {}).worst;
     };
@@ -217,8 +202,7 @@ TEST_CASE("A body that turns through another one within a step is found", "[unit
 
 TEST_CASE("Faure's method lets a rotor through a block, and a run says so",
           "[unit][record][run][faure]") {
-  RunSettings settings;
-  settings.duration = 0.5;
+  RunSettings settings{.duration = 0.5};
   const auto worst = [&](std::string_view technique) {
     return run_scene(rotor(60.0), *make_technique(technique), settings, {}).worst;
   };
@@ -230,11 +214,9 @@ TEST_CASE("Faure's method lets a rotor through a block, and a run says so",
 }
 
 TEST_CASE("A body that is stopped far from what stops it is found", "[unit][record][run]") {
-  Scene scene;
-  scene.ground = SceneGround{};
-  scene.boxes = {cube("cube", Vec3(0.0, 100.0, 0.0), Vec3(0.0, -1000.0, 0.0))};
-  RunSettings settings;
-  settings.duration = 0.2;
+  Scene scene{.ground = SceneGround{},
+              .boxes = {cube("cube", Vec3(0.0, 100.0, 0.0), Vec3(0.0, -1000.0, 0.0))}};
+  RunSettings settings{.duration = 0.2};
   for (const std::string_view technique : {"impulse", "damped"}) {
     CAPTURE(technique);
     const RunResult away = run_scene(scene, *make_technique(technique), settings, {});
@@ -292,8 +274,7 @@ TEST_CASE("A body that is left deep in another one when a run ends is found",
 TEST_CASE("A body that hangs in the air is found, one that rests or is thrown is not",
           "[unit][record][run]") {
   // Ghosts move with constant velocities: what has none hangs.
-  Scene scene;
-  scene.ground = SceneGround{};
+  Scene scene{.ground = SceneGround{}};
   scene.boxes = {cube("low", Vec3(0.0, 0.55, 0.0), Vec3::Zero()),
                  cube("upper", Vec3(0.0, 1.6, 0.0), Vec3::Zero())};
   CHECK(ran(scene).worst == StepStatus::done);  // each is near what may hold it
@@ -314,9 +295,7 @@ TEST_CASE("A body that hangs in the air is found, one that rests or is thrown is
     for (const double dt : {1.0, 0.5, 0.01}) {
       thrown.gravity_w.y() = -gravity;
       Simulation simulation(thrown);
-      RunSettings settings;
-      settings.dt = dt;
-      settings.duration = 10.0;
+      RunSettings settings{.dt = dt, .duration = 10.0};
       CHECK(run_simulation(simulation, settings, {}).worst == StepStatus::done);
     }
   }
@@ -339,8 +318,7 @@ TEST_CASE("A turn of more than a radian in a step is named with a step that woul
 
 TEST_CASE("A step is divided by the turn of the fastest body", "[unit][contact]") {
   const auto parts = [](double speed) {
-    Scene scene;
-    scene.boxes = {SceneBox{}, SceneBox{}};
+    Scene scene{.boxes = {SceneBox{}, SceneBox{}}};
     scene.boxes[0].position_w = Vec3(9.0, 0.0, 0.0);
     scene.boxes[1].angular_velocity_w = Vec3(0.0, speed, 0.0);
     return parts_of_turn(start_world(scene), 1.0);

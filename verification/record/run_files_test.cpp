@@ -6,10 +6,9 @@
 #include "tumble/record/csv_cells.hpp"
 #include "tumble/record/metrics_table.hpp"
 #include "tumble/record/recorded_run.hpp"
-#include "tumble/scenes/library.hpp"
 
-#include "support/catch.hpp"
 #include "support/files.hpp"
+#include "support/test.hpp"
 
 #include <fstream>
 #include <sys/stat.h>
@@ -30,17 +29,15 @@ struct Keeper : RunObserver {
 };
 
 Scene two_boxes() {
-  const SceneRecipe& recipe = scene_recipe("two_boxes");
-  Scene scene = recipe.build(recipe.parameters(), Random(1));
+  Scene scene = make_scene("two_boxes");
   scene.boxes[0].name = "a \"left\", one";  // a name that CSV has to quote
   return checked(scene);
 }
 
 RunDescription description() {
-  RunDescription d;
-  d.scene = "two_boxes";
-  d.technique = "basic";
-  d.scene_settings = scene_recipe("two_boxes").parameters();
+  RunDescription d{.scene = "two_boxes",
+                   .technique = "basic",
+                   .scene_settings = scene_recipe("two_boxes").parameters()};
   d.run.duration = 0.625;  // [s] 37.5 steps; the collision is at 0.5 s
   d.contacts = true;
   d.ignored_physics = {"friction"};
@@ -83,7 +80,7 @@ TEST_CASE("A trajectory reads back to the bits that were simulated", "[unit][rec
   }
   const std::string last = lines_of(folder.path / "trajectory.csv").back();
   std::ofstream(folder.path / "trajectory.csv", std::ios::app) << last << "\n";
-  CHECK_THROWS_WITH(read_run(folder.path), Catch::Matchers::Contains("right: twice in one frame"));
+  CHECK_THROWS_WITH(read_run(folder.path), Contains("right: twice in one frame"));
 }
 
 TEST_CASE("A run's tables have the columns, rows and numbers that they promise",
@@ -120,8 +117,8 @@ TEST_CASE("A run's tables have the columns, rows and numbers that they promise",
   REQUIRE(event.size() == 14);
   CHECK(event[1] == "a \"left\", one");
   CHECK(event[2] == "right");
-  CHECK(std::stod(event[0]) == near(0.5).margin(2e-6));   // 1 m at 2 m/s, found to 1 µs
-  CHECK(std::stod(event[6]) == near(1.0).margin(1e-12));  // from first to second
+  CHECK(std::stod(event[0]) == near(0.5, 2e-6));   // 1 m at 2 m/s, found to 1 µs
+  CHECK(std::stod(event[6]) == near(1.0, 1e-12));  // from first to second
 
   const std::vector<std::string> contacts = lines_of(folder.path / "contacts.csv");
   REQUIRE(contacts.size() > 1);
@@ -214,9 +211,8 @@ TEST_CASE("A folder is refused if it is a file, holds other things or is in use"
   fs::create_directories(deep);
   write_file(deep / "letter.txt", "dear\n");
   write_file(deep / "one.csv", "of another program\n");
-  CHECK_THROWS_WITH(OutputFolder(deep, "run", kFiles), Catch::Matchers::Contains("not empty"));
-  CHECK_THROWS_WITH(OutputFolder(deep / "letter.txt", "run", kFiles),
-                    Catch::Matchers::Contains("is a file"));
+  CHECK_THROWS_WITH(OutputFolder(deep, "run", kFiles), Contains("not empty"));
+  CHECK_THROWS_WITH(OutputFolder(deep / "letter.txt", "run", kFiles), Contains("is a file"));
   CHECK_THROWS_AS(OutputFolder(deep / "letter.txt" / "c", "run", kFiles), CannotWrite);
   const fs::path used = folder.path / "used";
   {
@@ -224,12 +220,11 @@ TEST_CASE("A folder is refused if it is a file, holds other things or is in use"
     write_file(first.path() / "one.csv", "first\n");
     write_file(first.path() / "other.csv", "first\n");
     first.publish();
-    CHECK_THROWS_WITH(OutputFolder(used, "run", kFiles),
-                      Catch::Matchers::Contains("being written by another"));
+    CHECK_THROWS_WITH(OutputFolder(used, "run", kFiles), Contains("being written by another"));
   }
   write_file(used / "letter.txt", "dear\n");
   CHECK_THROWS_WITH(OutputFolder(used, "comparison", kFiles),
-                    Catch::Matchers::Contains("not the folder of a comparison"));
+                    Contains("not the folder of a comparison"));
   {
     const OutputFolder refused(used, "run", kFiles);
     write_file(refused.path() / "one.csv", "second\n");
@@ -253,7 +248,7 @@ TEST_CASE("A mark that is no file makes no folder a run's, and is not waited for
   fs::create_directories(folder.path);
   const auto refused = [&] {
     CHECK_THROWS_WITH(OutputFolder(folder.path, "run", kFiles),
-                      Catch::Matchers::Contains("not the folder of a run"));
+                      Contains("not the folder of a run"));
     fs::remove(mark);
   };
   fs::create_symlink("/dev/zero", mark);  // has no end

@@ -5,9 +5,8 @@
 #include "tumble/base/error.hpp"
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/record/table_file.hpp"
-#include "tumble/scenes/library.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -52,10 +51,7 @@ Scene one_box() {
 }
 
 RunSettings settings_of(double dt, double duration) {
-  RunSettings settings;
-  settings.dt = dt;
-  settings.duration = duration;
-  return settings;
+  return RunSettings{.dt = dt, .duration = duration};
 }
 
 }  // namespace
@@ -81,25 +77,19 @@ TEST_CASE("The last step of a run is cut to end at the duration", "[unit][record
     CHECK(result.steps == static_cast<std::int64_t>(c.steps));
     CHECK(result.end == RunEnd::complete);
     // Times are sums of steps: half a unit of rounding for each of at most 600. Measured: 5e-14.
-    CHECK(result.time == near(c.duration).margin(1e-12));
+    CHECK(result.time == near(c.duration, 1e-12));
     if (c.steps > 0) CHECK(puppet.steps.back() == near(c.last).epsilon(1e-9));
-    CHECK(result.last.potential ==
-          near(9.81 * 5.0).margin(1e-12));  // measured even if no step was done
+    CHECK(result.last.potential == near(9.81 * 5.0, 1e-12));  // measured even if no step was done
   }
 }
 
 TEST_CASE("Settings that make no run are refused before anything is built", "[unit][record][run]") {
   const auto refused = [](RunSettings settings) {
     Puppet puppet;
-    try {
-      run_scene(one_box(), puppet, settings, {});
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-    return std::string("not refused");
+    return refusal_of([&] { run_scene(one_box(), puppet, settings, {}); });
   };
   CHECK(refused(settings_of(0.0, 1.0)) == "tumble: dt = 0: expected a finite number above 0");
-  CHECK(refused(settings_of(std::nan(""), 1.0)).find("dt = nan") != std::string::npos);
+  CHECK(refused(settings_of(kNan, 1.0)).find("dt = nan") != std::string::npos);
   CHECK(refused(settings_of(0.1, -1.0)).find("duration = -1") != std::string::npos);
   CHECK(refused(settings_of(0.1, HUGE_VAL)).find("duration = inf") != std::string::npos);
   CHECK(refused(settings_of(1e-3, 1e300)).find("1e12 steps") != std::string::npos);
@@ -111,11 +101,9 @@ TEST_CASE("Settings that make no run are refused before anything is built", "[un
 TEST_CASE("Each observer gets the start, every step and every event", "[unit][record][run]") {
   Puppet puppet;
   puppet.act = [](World&, int k) {
-    StepReport report;
-    report.events = k == 3 ? 1 : 0;
-    report.pair_tests = k;
-    report.status = k == 2 ? StepStatus::event_cap : StepStatus::done;
-    return report;
+    return StepReport{.status = k == 2 ? StepStatus::event_cap : StepStatus::done,
+                      .events = k == 3 ? 1 : 0,
+                      .pair_tests = k};
   };
   Counter one;
   Counter two;
@@ -146,10 +134,10 @@ TEST_CASE("Numbers at their worst are those farthest from 0", "[unit][record][ru
   };
   const RunResult result = run_scene(one_box(), puppet, settings_of(1.0, 4.0), {});
   CHECK(result.worst_metrics.kinetic == 8.0);
-  CHECK(result.worst_metrics.energy_error == near(8.0).margin(1e-12));
+  CHECK(result.worst_metrics.energy_error == near(8.0, 1e-12));
   CHECK(result.worst_metrics.fastest == 4.0);
   CHECK(result.worst_metrics.momentum_w == Vec3(0.0, -4.0, 0.0));
-  CHECK(result.worst_metrics.potential == near(9.81 * 5.0).margin(1e-12));
+  CHECK(result.worst_metrics.potential == near(9.81 * 5.0, 1e-12));
   CHECK(result.last.kinetic == 0.0);
 }
 
@@ -159,7 +147,7 @@ TEST_CASE("A run ends at a step that solved nothing or made a number infinite",
     Puppet puppet;
     puppet.act = [&](World& world, int k) {
       StepReport report;
-      if (k == 3 && infinite) world.states()[0].position_w.x() = std::nan("");
+      if (k == 3 && infinite) world.states()[0].position_w.x() = kNan;
       if (k == 3 && !infinite) report.status = StepStatus::unsolved;
       return report;
     };
@@ -223,7 +211,7 @@ TEST_CASE("A run stops when it is asked to, between two steps", "[unit][record][
       run_scene(one_box(), puppet, settings_of(0.1, 1.0), observers, [&] { return asked; });
   CHECK(result.end == RunEnd::interrupted);
   CHECK(result.steps == 3);
-  CHECK(result.time == near(0.3).margin(1e-12));
+  CHECK(result.time == near(0.3, 1e-12));
   CHECK(!result.state_hash.empty());
 }
 

@@ -3,9 +3,8 @@
 #include "tumble/record/sampling.hpp"
 
 #include "tumble/previous_work/parallel_chains.hpp"
-#include "tumble/techniques.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -77,8 +76,7 @@ TEST_CASE("A motion that is no valid one has an infinite violation", "[unit][sam
   const SceneSampler sampler = sampler_of(scene, "basic");
   const RunResult result = sampler.run(ImpactNoise(Random(1)), {});
   REQUIRE(result.worst != StepStatus::done);
-  CHECK(sampler.motion(ImpactNoise(Random(1))).violation ==
-        std::numeric_limits<double>::infinity());
+  CHECK(sampler.motion(ImpactNoise(Random(1))).violation == kInfinity);
 }
 
 TEST_CASE("A motion that is asked to stop is not finished", "[unit][sampling]") {
@@ -106,15 +104,14 @@ TEST_CASE("Sampling works with every technique that reports its impacts", "[unit
 TEST_CASE("What cannot be sampled is refused before anything is simulated", "[unit][sampling]") {
   Scene scene = thrown_die();
   scene.wishes.clear();
-  CHECK_THROWS_WITH(sampler_of(scene),
-                    Catch::Contains("the scene has no wish: add a table [[wish]]"));
+  CHECK_THROWS_WITH(sampler_of(scene), Contains("the scene has no wish: add a table [[wish]]"));
   scene = thrown_die();
   scene.boxes.push_back({.name = "late", .position_w = {5.0, 2.0, 0.0}, .appears = 3.0});
   scene.wishes.push_back({.kind = WishKind::stays, .bodies = {"late"}});
-  CHECK_THROWS_WITH(sampler_of(scene), Catch::Contains("wish[2].body = late: it appears at 3 s"));
+  CHECK_THROWS_WITH(sampler_of(scene), Contains("wish[2].body = late: it appears at 3 s"));
   scene.boxes.back().appears = 0.0;
   scene.boxes.back().disappears = 0.5;
-  CHECK_THROWS_WITH(sampler_of(scene), Catch::Contains("it disappears at 0.5 s"));
+  CHECK_THROWS_WITH(sampler_of(scene), Contains("it disappears at 0.5 s"));
   CHECK_THROWS_AS(sampler_of(thrown_die(), kDefaultTechnique, {.dt = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(SceneSampler(thrown_die(), nullptr, kShort, {}), std::invalid_argument);
 }

@@ -2,16 +2,14 @@
 /// \brief Files of whole lines, and JSON.
 #include "tumble/record/table_file.hpp"
 
-#include "tumble/base/number_text.hpp"
 #include "tumble/record/json.hpp"
 
-#include "support/catch.hpp"
 #include "support/files.hpp"
+#include "support/test.hpp"
 
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <sys/resource.h>
 
 namespace {
@@ -39,23 +37,23 @@ TEST_CASE(
 }
 
 TEST_CASE("A number that is none is written alike on every machine", "[unit][record]") {
-  CHECK(shortest_text(std::nan("")) == "nan");
-  CHECK(shortest_text(-std::nan("")) == "nan");
-  CHECK(shortest_text(-std::numeric_limits<double>::infinity()) == "-inf");
+  CHECK(shortest_text(kNan) == "nan");
+  CHECK(shortest_text(-kNan) == "nan");
+  CHECK(shortest_text(-kInfinity) == "-inf");
   CHECK(shortest_text(-0.0) == "-0");
   CHECK(std::strtod(shortest_text(5e-324).c_str(), nullptr) == 5e-324);
 }
 
 TEST_CASE("A file that cannot be written ends in an error that names it", "[unit][record]") {
   CHECK_THROWS_WITH(write_file("/nowhere/at/all", "text"),
-                    Catch::Matchers::Contains("/nowhere/at/all: No such file"));
+                    Contains("/nowhere/at/all: No such file"));
   CHECK_THROWS_AS(TableFile("/nowhere/at/all", "a,b"), CannotWrite);
   if (!std::filesystem::exists("/dev/full")) {
     WARN("no /dev/full here: not tested");
     return;
   }
   CHECK_THROWS_AS(TableFile("/dev/full", "a,b"), CannotWrite);
-  CHECK_THROWS_WITH(write_file("/dev/full", "text"), Catch::Matchers::Contains("No space left"));
+  CHECK_THROWS_WITH(write_file("/dev/full", "text"), Contains("No space left"));
   CHECK(std::filesystem::exists("/dev/full"));  // half a file is removed, but not a device
 }
 
@@ -93,8 +91,7 @@ TEST_CASE("A disk that fills up leaves whole rows, and nothing is written after 
     CHECK(failed > 0);
     table.cell(std::int64_t{-1}).cell(std::int64_t{-2}).end_row();  // would leave a hole
     CHECK_THROWS_AS(table.flush(), CannotWrite);
-    CHECK_THROWS_WITH(write_file(other, std::string(200000, 'x')),
-                      Catch::Matchers::Contains("full.json"));
+    CHECK_THROWS_WITH(write_file(other, std::string(200000, 'x')), Contains("full.json"));
   }
   CHECK(!std::filesystem::exists(other));  // half of it would be no JSON
   std::istringstream in(content(path));
@@ -115,7 +112,7 @@ TEST_CASE("A disk that fills up leaves whole rows, and nothing is written after 
 TEST_CASE("JSON is written with commas, escapes and null for what is no number", "[unit][record]") {
   Json json;
   json.begin().field("name", std::string_view("a\"b\\c\n")).field("x", 0.5);
-  json.field("nan", std::nan("")).field("count", std::int64_t{7});
+  json.field("nan", kNan).field("count", std::int64_t{7});
   json.key("list").begin_list().item("one").item(2.0).end_list();
   json.key("empty").begin().end();
   json.end();
@@ -142,7 +139,7 @@ TEST_CASE("Text in JSON may have every character", "[unit][record]") {
 TEST_CASE("Numbers in JSON read back to the same bits, and infinity is null", "[unit][record]") {
   Json json;
   json.begin_list().item(1.0 / 3.0).item(1e300).item(5e-324).item(-0.0);
-  json.item(std::numeric_limits<double>::infinity()).end_list();
+  json.item(kInfinity).end_list();
   CHECK(json.text() ==
         "[\n  0.3333333333333333,\n  1e+300,\n  5e-324,\n"
         "  -0,\n  null\n]\n");

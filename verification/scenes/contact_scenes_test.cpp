@@ -1,12 +1,9 @@
 /// \file
 /// \brief Scenes in which boxes touch: gaps of 0 at the start, boxes where their settings put them.
 #include "tumble/geometry/ground.hpp"
-#include "tumble/geometry/separation.hpp"
-#include "tumble/math/rotation.hpp"
-#include "tumble/scenes/library.hpp"
 
-#include "support/catch.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -14,8 +11,8 @@ using namespace tumble;
 using namespace tumble::test;
 
 const SceneBox& called(const Scene& scene, const std::string& name) {
-  const auto found = std::find_if(scene.boxes.begin(), scene.boxes.end(),
-                                  [&](const SceneBox& box) { return box.name == name; });
+  const auto found =
+      std::ranges::find_if(scene.boxes, [&](const SceneBox& box) { return box.name == name; });
   REQUIRE(found != scene.boxes.end());
   return *found;
 }
@@ -26,10 +23,9 @@ double height_over_ground(const SceneBox& box) {
 
 // [m] The smallest distance of a box from the ground or from another box; below 0 for overlap.
 double nearest(const Scene& scene, std::size_t box) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   if (scene.ground) least = height_over_ground(scene.boxes[box]);
-  SeparationOptions exact;
-  exact.prefer_faces = false;
+  SeparationOptions exact{.prefer_faces = false};
   for (std::size_t k = 0; k < scene.boxes.size(); ++k) {
     if (k == box) continue;
     least = std::min(

@@ -3,10 +3,9 @@
 #include "tumble/scenes/library.hpp"
 
 #include "tumble/base/error.hpp"
-#include "tumble/base/number_text.hpp"
 
-#include "support/catch.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::test;
@@ -91,7 +90,7 @@ TEST_CASE("A scene in which a box goes before it comes is refused with its place
           "[unit][scenes]") {
   Scene scene;
   scene.boxes = {SceneBox{}, SceneBox{.name = "b", .position_w = Vec3(3.0, 0.0, 0.0)}};
-  for (const double disappears : {0.5, 0.25, -1.0, std::nan("")}) {
+  for (const double disappears : {0.5, 0.25, -1.0, kNan}) {
     INFO(disappears);
     scene.boxes[1].appears = 0.5;
     scene.boxes[1].disappears = disappears;
@@ -100,19 +99,19 @@ TEST_CASE("A scene in which a box goes before it comes is refused with its place
       FAIL("not refused");
     } catch (const SceneMistake& mistake) {
       CHECK(mistake.box() == 1);
-      CHECK_THAT(mistake.what(), Catch::Matchers::Contains("box[2], b: disappears = ") &&
-                                     Catch::Matchers::Contains("expected later than 0.5 s"));
+      CHECK_THAT(mistake.what(),
+                 Contains("box[2], b: disappears = ") && Contains("expected later than 0.5 s"));
     }
   }
 }
 
 TEST_CASE("An unknown scene or setting is refused with the list of what there is",
           "[unit][scenes]") {
-  CHECK_THROWS_WITH(scene_recipe("piramid"), Catch::Matchers::Contains("pyramid3d"));
-  CHECK_THROWS_WITH(built("stack", {{"hight", "3"}}), Catch::Matchers::Contains("count"));
-  CHECK_THROWS_WITH(built("stack", {{"count", "0"}}), Catch::Matchers::Contains("from 1"));
-  CHECK_THROWS_WITH(built("stack", {{"count", "2.5"}}), Catch::Matchers::Contains("whole"));
-  CHECK_THROWS_WITH(built("clump", {{"toward", "moon"}}), Catch::Matchers::Contains("axis"));
+  CHECK_THROWS_WITH(scene_recipe("piramid"), Contains("pyramid3d"));
+  CHECK_THROWS_WITH(built("stack", {{"hight", "3"}}), Contains("count"));
+  CHECK_THROWS_WITH(built("stack", {{"count", "0"}}), Contains("from 1"));
+  CHECK_THROWS_WITH(built("stack", {{"count", "2.5"}}), Contains("whole"));
+  CHECK_THROWS_WITH(built("clump", {{"toward", "moon"}}), Contains("axis"));
 }
 
 TEST_CASE("Every scene can be built at both ends of each of its parameters", "[unit][scenes]") {
@@ -146,10 +145,10 @@ TEST_CASE("Cubes on a line stand where they are put, and what is no list of them
   CHECK(scene.boxes[2].position_w == Vec3(5.0, 0.0, 0.0));
   CHECK(scene.boxes[2].velocity_w == Vec3(-3.0, 0.0, 0.0));
   CHECK(scene.boxes[2].name == "c");
-  CHECK_THROWS_WITH(built("line", {{"boxes", "0:1,2"}}), Catch::Matchers::Contains("speed"));
+  CHECK_THROWS_WITH(built("line", {{"boxes", "0:1,2"}}), Contains("speed"));
   for (const char* text : {"0:1,", "0:x", ":1", "0:1;2:1", "0:inf", "0:1,,2:0", "1:2:3"}) {
     INFO(text);
-    CHECK_THROWS_WITH(built("line", {{"boxes", text}}), Catch::Matchers::Contains("0:2,1.5:0"));
+    CHECK_THROWS_WITH(built("line", {{"boxes", text}}), Contains("0:2,1.5:0"));
   }
 }
 

@@ -2,10 +2,7 @@
 /// \brief Messages about scene files that are refused, for tests.
 #pragma once
 
-#include "tumble/scenes/scene_file.hpp"
-
-#include <stdexcept>
-#include <string>
+#include "support/test.hpp"
 
 namespace tumble::test {
 
@@ -14,12 +11,7 @@ inline const std::string kBox = "[[box]]\nsize = [1, 1, 1]\nmass = 1\nposition =
 
 // The message with which a text is refused; empty if it is read.
 inline std::string refusal(const std::string& text) {
-  try {
-    (void)parse_scene(text, "my.toml");
-    return "";
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
+  return refusal_of([&] { (void)parse_scene(text, "my.toml"); });
 }
 
 }  // namespace tumble::test

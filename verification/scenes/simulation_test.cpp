@@ -2,13 +2,9 @@
 /// \brief Simulations: steps, boxes thrown in and taken away, observers, bodies read by name.
 #include "tumble/scenes/simulation.hpp"
 
-#include "tumble/base/random.hpp"
 #include "tumble/record/run.hpp"
-#include "tumble/scenes/library.hpp"
-#include "tumble/scenes/scene_file.hpp"
-#include "tumble/techniques.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -35,10 +31,7 @@ class Puppet : public Technique {
 };
 
 std::unique_ptr<Technique> made(std::string_view technique, bool sleeping = false) {
-  const TechniqueRecipe& recipe = technique_recipe(technique);
-  Parameters options = recipe.options();
-  if (sleeping) options.set("sleeping", "on");
-  return recipe.make(options, 1);
+  return make_technique(technique, std::vector<std::string>(sleeping ? 1 : 0, "sleeping=on"));
 }
 
 SceneBox cube(const Vec3& position_w, const Vec3& velocity_w = Vec3::Zero(),
@@ -48,8 +41,7 @@ SceneBox cube(const Vec3& position_w, const Vec3& velocity_w = Vec3::Zero(),
 
 // Two towers of two cubes, and one that flies in at 0.25 s.
 Scene towers() {
-  Scene scene;
-  scene.ground = SceneGround{};
+  Scene scene{.ground = SceneGround{}};
   scene.boxes = {cube(Vec3(0.0, 0.5, 0.0), Vec3::Zero(), "left"),
                  cube(Vec3(0.0, 1.5, 0.0), Vec3::Zero(), "on left"),
                  cube(Vec3(3.0, 0.5, 0.0), Vec3::Zero(), "right"),
@@ -60,10 +52,7 @@ Scene towers() {
 }
 
 Scene weightless(std::vector<SceneBox> boxes) {
-  Scene scene;
-  scene.gravity_w = Vec3::Zero();
-  scene.boxes = std::move(boxes);
-  return scene;
+  return Scene{.gravity_w = Vec3::Zero(), .boxes = std::move(boxes)};
 }
 
 void step(Simulation& run, int count, double dt = kDt) {
@@ -73,10 +62,9 @@ void step(Simulation& run, int count, double dt = kDt) {
 // The hash that `tumble run` comes to with the scene of a run as a file, in as many steps.
 std::string repeated(const Simulation& run, std::string_view technique, double dt = kDt) {
   const Scene again = parse_scene(to_toml(run.scene()), "saved.toml");
-  RunSettings settings;
-  settings.dt = dt;
-  settings.duration = static_cast<double>(run.world().steps()) * dt;
-  const RunResult result = run_scene(again, *made(technique), settings, {});
+  const RunResult result =
+      run_scene(again, *made(technique),
+                {.dt = dt, .duration = static_cast<double>(run.world().steps()) * dt}, {});
   CHECK(result.steps == run.world().steps());
   return result.state_hash;
 }
@@ -134,15 +122,11 @@ TEST_CASE("What was thrown and taken away is repeated by a run of the scene that
 TEST_CASE("Sessions of throws at random are repeated by a run of the scene that is left",
           "[determinism][scenes][live]") {
   Random random(5);
-  const SceneRecipe& recipe = scene_recipe("projectile");
-  Parameters settings = recipe.parameters();
-  settings.set("rows", "3");
-  settings.set("appears", "0.1");
   const double dt = 1.0 / 60.0;  // sums of it are rounded
   for (int session = 0; session < 20; ++session) {
     INFO("session " << session);
     const auto stepper = made("contact_damped");
-    Simulation run(recipe.build(settings, Random(1)), *stepper);
+    Simulation run(make_scene("projectile", {"rows=3", "appears=0.1"}), *stepper);
     int thrown = 0;
     int taken = 0;
     for (int k = 0; k < 30; ++k) {
@@ -244,13 +228,12 @@ TEST_CASE("Before the first step a box that is thrown in or taken away changes t
 }
 
 TEST_CASE("A throw that is refused leaves the run as it was", "[unit][scenes][live]") {
-  const double nan = std::nan("");
   const std::vector<std::pair<SceneBox, std::string>> cases = {
-      {cube(Vec3(0.0, nan, 0.0)), "position_w = (0, nan, 0): expected three finite numbers"},
+      {cube(Vec3(0.0, kNan, 0.0)), "position_w = (0, nan, 0): expected three finite numbers"},
       {cube(Vec3(0.0, 9.0, 0.0), Vec3(HUGE_VAL, 0.0, 0.0)), "velocity_w = (inf, 0, 0)"},
       {SceneBox{.name = "", .mass = -1.0, .position_w = Vec3(0.0, 9.0, 0.0)},
        "mass = -1: expected"},
-      {SceneBox{.name = "", .mass = nan, .position_w = Vec3(0.0, 9.0, 0.0)},
+      {SceneBox{.name = "", .mass = kNan, .position_w = Vec3(0.0, 9.0, 0.0)},
        "mass = nan: expected"},
       {SceneBox{.name = "", .size = Vec3(1.0, 0.0, 1.0), .position_w = Vec3(0.0, 9.0, 0.0)},
        "size.y = 0"},
@@ -340,7 +323,7 @@ TEST_CASE("The energy of boxes that enter and leave is no error of the technique
     return StepReport{};
   };
   step(run, 1);
-  CHECK(meter.metrics().energy_error == near(0.5).margin(1e-13));
+  CHECK(meter.metrics().energy_error == near(0.5, 1e-13));
 }
 
 TEST_CASE(
@@ -361,7 +344,7 @@ TEST_CASE(
   CHECK(to_toml(run.scene()) == scene);
   CHECK(run.world().steps() == 2);
   puppet.act = [](World& world) {
-    world.states().back().position_w.y() = std::nan("");
+    world.states().back().position_w.y() = kNan;
     return StepReport{};
   };
   CHECK(run.step(kDt).status == StepStatus::not_finite);
@@ -411,8 +394,8 @@ TEST_CASE("A box that sleeps on one that is taken away wakes and falls",
       CHECK_FALSE(sleeps("on left"));
       CHECK(sleeps("on right"));  // it stands elsewhere
       step(run, 127);
-      CHECK(height("on left") == near(0.5).margin(0.02));
-      CHECK(height("on right") == near(1.5).margin(0.02));
+      CHECK(height("on left") == near(0.5, 0.02));
+      CHECK(height("on right") == near(1.5, 0.02));
       CHECK(sleeps("on left"));
     }
   }

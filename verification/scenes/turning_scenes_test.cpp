@@ -1,12 +1,8 @@
 /// \file
 /// \brief Scenes of exterior rotation: what touches, which way it leans, how fast it turns.
-#include "tumble/dynamics/body.hpp"
-#include "tumble/geometry/separation.hpp"
-#include "tumble/math/rotation.hpp"
-#include "tumble/scenes/library.hpp"
 
-#include "support/catch.hpp"
 #include "support/scenes.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -49,12 +45,12 @@ TEST_CASE("The column of figure 6.1 leans over the edge by the angle that is ask
         centre_w += scene.boxes[k].position_w / count;
       const Vec3 pivot_w(0.0, 2.0, 0.0);
       CHECK(std::atan2(centre_w.x() - pivot_w.x(), centre_w.y() - pivot_w.y()) ==
-            near(std::stod(angle)).margin(kRounding));
+            near(std::stod(angle), kRounding));
       // The lower right edge of the lowest box is the pivot, on the top of the larger one.
       CHECK((place_of(scene.boxes[1], Vec3(0.5, -0.5, 0.0)) - pivot_w).norm() <= kRounding);
       const SceneBox& larger = scene.boxes[0];
       CHECK(larger.position_w.y() + 0.5 * larger.size.y() == 2.0);
-      CHECK(larger.position_w.x() + 0.5 * larger.size.x() == near(0.1).margin(kRounding));
+      CHECK(larger.position_w.x() + 0.5 * larger.size.x() == near(0.1, kRounding));
       // All turn as one about it; the lower corner of each is on the upper one of that below.
       for (std::size_t k = 1; k < scene.boxes.size(); ++k) {
         const SceneBox& box = scene.boxes[k];
@@ -76,7 +72,7 @@ TEST_CASE("Figure 6.2 is the lowest box of a column, leaning by its own angle",
   const SceneBox& box = one.boxes[1];
   const Vec3 pivot_w(0.0, 2.0, 0.0);
   CHECK(one.boxes[0].fixed);
-  CHECK(std::atan2(box.position_w.x(), box.position_w.y() - 2.0) == near(0.4).margin(kRounding));
+  CHECK(std::atan2(box.position_w.x(), box.position_w.y() - 2.0) == near(0.4, kRounding));
   CHECK((place_of(box, Vec3(0.5, -0.5, 0.0)) - pivot_w).norm() <= kRounding);
   CHECK(speed_of(box, pivot_w).norm() <= kRounding);
   CHECK(box.angular_velocity_w == Vec3(0.0, 0.0, -1.5));
@@ -107,8 +103,8 @@ TEST_CASE("In figure 6.3 each box turns about an edge of its own, and nothing ov
     CHECK(deepest_overlap(scene) <= kRounding);
   }
   const Scene scene = built("fig6_3");
-  CHECK(rotation_vector(scene.boxes[1].orientation_wb).z() == near(-0.65).margin(kRounding));
-  CHECK(rotation_vector(scene.boxes[2].orientation_wb).z() == near(-0.2).margin(kRounding));
+  CHECK(rotation_vector(scene.boxes[1].orientation_wb).z() == near(-0.65, kRounding));
+  CHECK(rotation_vector(scene.boxes[2].orientation_wb).z() == near(-0.2, kRounding));
   CHECK(scene.boxes[1].angular_velocity_w == Vec3(0.0, 0.0, -1.5));
   CHECK(scene.boxes[2].angular_velocity_w == Vec3(0.0, 0.0, 1.5));
 }
@@ -116,9 +112,9 @@ TEST_CASE("In figure 6.3 each box turns about an edge of its own, and nothing ov
 TEST_CASE("Scenes of exterior rotation refuse what they cannot build",
           "[unit][scenes][exterior_rotation]") {
   for (const char* name : {"fig6_1", "fig6_2"}) {
-    CHECK_THROWS_WITH(built(name, {{"angle", "1.5"}}), Catch::Contains("angle"));
-    CHECK_THROWS_WITH(built(name, {{"spin", "-1"}}), Catch::Contains("spin"));
+    CHECK_THROWS_WITH(built(name, {{"angle", "1.5"}}), Contains("angle"));
+    CHECK_THROWS_WITH(built(name, {{"spin", "-1"}}), Contains("spin"));
   }
-  CHECK_THROWS_WITH(built("fig6_1", {{"count", "0"}}), Catch::Contains("count"));
-  CHECK_THROWS_WITH(built("fig6_3", {{"lower_angle", "0"}}), Catch::Contains("lower_angle"));
+  CHECK_THROWS_WITH(built("fig6_1", {{"count", "0"}}), Contains("count"));
+  CHECK_THROWS_WITH(built("fig6_3", {{"lower_angle", "0"}}), Contains("lower_angle"));
 }

@@ -2,12 +2,8 @@
 /// \brief Wishes: when they are met, and which ones are refused.
 #include "tumble/scenes/wish.hpp"
 
-#include "tumble/math/rotation.hpp"
-#include "tumble/scenes/scene_file.hpp"
-#include "tumble/scenes/simulation.hpp"
-
 #include "scenes/refusal.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 

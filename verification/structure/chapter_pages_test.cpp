@@ -33,7 +33,7 @@ std::map<std::string, std::vector<std::string>> pages_of(const std::vector<Sourc
     std::smatch match;
     if (std::regex_match(file.path, match, page)) pages[match[1]].push_back(match[2]);
   }
-  for (auto& [chapter, names] : pages) std::sort(names.begin(), names.end());
+  for (auto& [chapter, names] : pages) std::ranges::sort(names);
   return pages;
 }
 
@@ -50,8 +50,7 @@ Complaints long_pages(const std::vector<SourceFile>& files) {
   Complaints complaints;
   for (const SourceFile& file : files) {
     const std::string name = file.path.substr(file.path.rfind('/') + 1);
-    if (file.path.rfind("chapters/", 0) != 0 || std::count(kThree.begin(), kThree.end(), name) == 0)
-      continue;
+    if (file.path.rfind("chapters/", 0) != 0 || std::ranges::count(kThree, name) == 0) continue;
     if (const std::size_t words = words_of(file.text); words > kMostWords)
       complaints.push_back(file.path + ": " + std::to_string(words) + " words, more than " +
                            std::to_string(kMostWords));

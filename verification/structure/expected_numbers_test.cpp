@@ -57,7 +57,7 @@ bool made_of(const std::string& name, const std::set<std::string>& literals) {
 // Whether a figure is named, or a family of figures that it belongs to: "gallery_".
 bool names_figure(const std::string& figure, const std::set<std::string>& literals) {
   return literals.count(figure) > 0 ||
-         std::any_of(literals.begin(), literals.end(), [&](const std::string& literal) {
+         std::ranges::any_of(literals, [&](const std::string& literal) {
            return literal.size() > 3 && literal.back() == '_' && figure.starts_with(literal);
          });
 }
@@ -77,8 +77,7 @@ struct NumberUsers {
       return names_figure(number.figure, literals) && made_of(number.quantity, literals);
     };
     return cited.count({number.figure, number.quantity}) > 0 || whole.count(number.figure) > 0 ||
-           std::any_of(named.begin(), named.end(), names) ||
-           std::any_of(tested.begin(), tested.end(), tests);
+           std::ranges::any_of(named, names) || std::ranges::any_of(tested, tests);
   }
 };
 
@@ -106,8 +105,8 @@ NumberUsers number_users(const std::vector<SourceFile>& files) {
     const std::string name = path.substr(path.rfind('/') + 1);
     if (path.ends_with(".md") || name == "figures.toml") {
       add_citations(file.text, users);
-    } else if (std::any_of(records.begin(), records.end(),
-                           [&](std::string_view ending) { return path.ends_with(ending); })) {
+    } else if (std::ranges::any_of(
+                   records, [&](std::string_view ending) { return path.ends_with(ending); })) {
       add_records(file.text, users);
     } else if (path.ends_with(".gp")) {
       if (file.text.find("_numbers.csv") != std::string::npos)

@@ -45,8 +45,8 @@ Complaints listing_gaps(const std::vector<MarkedRegion>& regions,
   Complaints complaints;
   for (const MarkedRegion& region : regions) {
     if (region.first_line == 0) continue;
-    const auto listing = std::find_if(listings.begin(), listings.end(),
-                                      [&](const Listing& l) { return l.name == region.name; });
+    const auto listing =
+        std::ranges::find_if(listings, [&](const Listing& l) { return l.name == region.name; });
     const std::string said = region.path + ':' + std::to_string(region.from) + ": " + region.name;
     if (listing == listings.end()) {
       complaints.push_back(said + " is no listing of the thesis");

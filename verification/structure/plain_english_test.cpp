@@ -16,9 +16,8 @@ struct Rule {
   std::string plainer;
 
   [[nodiscard]] bool may_apply(const std::string& prose) const {
-    return std::any_of(parts.begin(), parts.end(), [&](const std::string& part) {
-      return prose.find(part) != std::string::npos;
-    });
+    return std::ranges::any_of(
+        parts, [&](const std::string& part) { return prose.find(part) != std::string::npos; });
   }
 };
 

@@ -4,7 +4,6 @@
 #include "support/catch.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <regex>
 #include <set>
@@ -129,8 +128,8 @@ Complaints tests_without_rung(const std::vector<TestCase>& tests) {
                                            "claims", "determinism", "structure"};
   Complaints complaints;
   for (const TestCase& test : tests) {
-    const bool placed = std::any_of(test.tags.begin(), test.tags.end(),
-                                    [](const std::string& tag) { return rungs.count(tag) > 0; });
+    const bool placed =
+        std::ranges::any_of(test.tags, [](const std::string& tag) { return rungs.count(tag) > 0; });
     if (!placed)
       complaints.push_back(test.path + ':' + std::to_string(test.line) + ": no rung: \"" +
                            test.name + '"');
@@ -303,7 +302,7 @@ TEST_CASE("Every test stands on a rung of the ladder", "[structure]") {
 TEST_CASE("Every tolerance is used", "[structure]") {
   const auto files = project_files();
   const auto library = code_in(files, "src/");
-  CHECK(std::count_if(library.begin(), library.end(), defines_tolerances) > 5);
+  CHECK(std::ranges::count_if(library, defines_tolerances) > 5);
   expect_none(unused_tolerances(library));
 }
 

@@ -3,7 +3,6 @@
 #include "structure/source_tree.hpp"
 #include "support/catch.hpp"
 
-#include <cctype>
 #include <regex>
 
 namespace tumble::structure {
@@ -43,8 +42,8 @@ std::vector<Reference> references_in(const std::string& page) {
 }
 
 bool names_one_of(const std::string& text, const std::vector<std::string>& words) {
-  return std::any_of(words.begin(), words.end(),
-                     [&](const std::string& word) { return text.find(word) != std::string::npos; });
+  return std::ranges::any_of(
+      words, [&](const std::string& word) { return text.find(word) != std::string::npos; });
 }
 
 // Whether a name stands in a text, and not as a part of another one.
@@ -91,8 +90,8 @@ Complaints missing_entries(const std::vector<Reference>& references,
       for (const auto& [form, dated] : {std::pair{citation, true}, {see, false}}) {
         for (std::sregex_iterator it(comment.begin(), comment.end(), form), end; it != end; ++it) {
           const std::smatch& match = *it;
-          const bool known = std::any_of(
-              references.begin(), references.end(), [&, with_year = dated](const Reference& one) {
+          const bool known =
+              std::ranges::any_of(references, [&, with_year = dated](const Reference& one) {
                 return (!with_year || one.year == match[2]) && names_one_of(match[1], one.authors);
               });
           if (!known)

@@ -23,15 +23,14 @@ bool belongs(const std::string& path) {
                                       "live/",         "cmake/", ".ci/"};
   if (path.find('/') == std::string::npos) return path != ".git";  // a file in a worktree
   if (path.starts_with("live/node_modules/")) return false;
-  return std::any_of(folders.begin(), folders.end(),
-                     [&](const char* folder) { return path.starts_with(folder); });
+  return std::ranges::any_of(folders, [&](const char* folder) { return path.starts_with(folder); });
 }
 
 bool is_text(const fs::path& path) {
   static constexpr std::array endings{".hpp", ".cpp",   ".md",  ".txt",  ".json", ".toml", ".csv",
                                       ".gp",  ".cmake", ".cff", ".html", ".css",  ".js",   ".mjs",
                                       ".in",  ".xml",   ".yml", ".mtx",  ""};
-  return std::find(endings.begin(), endings.end(), path.extension().string()) != endings.end();
+  return std::ranges::find(endings, path.extension().string()) != endings.end();
 }
 
 // Where the scanner of code_of() is.
@@ -58,14 +57,14 @@ std::vector<SourceFile> project_files() {
     if (!in) throw std::runtime_error("cannot read " + path);
     files.push_back({path, text.str()});
   }
-  std::sort(files.begin(), files.end(),
-            [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
+  std::ranges::sort(files,
+                    [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
   return files;
 }
 
 const SourceFile& file_called(const std::vector<SourceFile>& files, const std::string& path) {
-  const auto found = std::find_if(files.begin(), files.end(),
-                                  [&](const SourceFile& file) { return file.path == path; });
+  const auto found =
+      std::ranges::find_if(files, [&](const SourceFile& file) { return file.path == path; });
   if (found == files.end()) throw std::runtime_error("there is no " + path);
   return *found;
 }

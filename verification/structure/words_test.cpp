@@ -26,8 +26,7 @@ std::vector<Name> names_in(const std::string& code) {
       ++i;
       continue;
     }
-    Name name;
-    name.offset = i;
+    Name name{.offset = i};
     while (i < code.size() && in_name(code[i])) name.text += code[i++];
     const std::size_t after = code.find_first_not_of(" \n", i);
     if (after != std::string::npos) name.next = code[after];
@@ -113,8 +112,7 @@ Complaints forbidden_calls(const std::vector<SourceFile>& files) {
 Complaints long_files(const std::vector<SourceFile>& files, std::size_t limit) {
   Complaints complaints;
   for (const SourceFile& file : files) {
-    const auto lines =
-        static_cast<std::size_t>(std::count(file.text.begin(), file.text.end(), '\n'));
+    const auto lines = static_cast<std::size_t>(std::ranges::count(file.text, '\n'));
     if (lines > limit)
       complaints.push_back(place(file, lines) + "more than " + std::to_string(limit) + " lines");
   }

@@ -2,7 +2,7 @@
 /// \brief The counter of requests for memory counts.
 #include "support/allocation_counter.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 #include <Eigen/Core>
 

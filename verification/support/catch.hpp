@@ -36,11 +36,27 @@ using Catch::Approx;
 
 using Catch::Matchers::Contains;
 
+// Numbers to try where others are expected.
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 // How often each promise was broken in a test of many cases; CHECK(wrong == Failures{}) shows them all.
 using Failures = std::map<std::string, int>;
 
-// A number to compare with that allows for what its margin says and nothing else.
+// A number to compare with that allows for what its margin says and nothing else: `CHECK(x == near(1.0, 1e-12))`.
 //
-// Catch2's own Approx accepts 1.2e-5 of the value on top of every margin. Write
-// `CHECK(x == near(1.0).margin(1e-12))`.
-inline Approx near(double value) { return Approx(value).epsilon(0.0); }
+// Catch2's own Approx accepts 1.2e-5 of the value on top of every margin.
+inline Approx near(double value, double margin = 0.0) {
+  return Approx(value).epsilon(0.0).margin(margin);
+}
+
+// The message with which an action refuses what it was given; empty if it does not refuse.
+template <class Action>
+std::string refusal_of(const Action& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}

@@ -99,9 +99,7 @@ void LayerStepper::collide(World& world, double dt, StepReport& report) {
     const StickyScale scale{world.gravity_w.norm(), body.size.minCoeff(), dt};
     contact.restitution = sticky_restitution(contact.restitution, fastest, scale, StickyOptions{});
   }
-  ImpactOptions options;
-  options.most_passes = 6;
-  const ImpactResult result = impacts_.resolve(contacts_, moving_, options);
+  const ImpactResult result = impacts_.resolve(contacts_, moving_, {.most_passes = 6});
   store_moving_bodies(moving_, world);
   report.energy.restitution += result.restitution_energy;
   report.energy.friction += result.friction_energy;
@@ -116,12 +114,11 @@ World bouncing_clump(int per_edge) {
   for (int k = 0; k < per_edge * per_edge * per_edge; ++k) {
     const Vec3 cell(k % per_edge, k / (per_edge * per_edge), k / per_edge % per_edge);
     Vec3 size = Vec3::Constant(0.8) + random.in_cube(0.3);
-    const BodyProperties body = box_properties(size, size.prod(), 0.5, 0.3);
     const Vec3 place = 1.9 * cell + Vec3(0.0, 1.2, 0.0);
     const Quat turn = random.orientation();
     const Vec3 velocity_w = random.in_cube(2.0);
     const Vec3 spin_w = random.in_cube(3.0);
-    world.add(body, make_state(body, place, turn, velocity_w, spin_w));
+    world.add(box_properties(size, size.prod(), 0.5, 0.3), place, turn, velocity_w, spin_w);
   }
   return world;
 }

@@ -2,10 +2,9 @@
 /// \brief Poses that several tests need, and both ways to change them that techniques have to pass.
 #pragma once
 
-#include "tumble/base/types.hpp"
 #include "tumble/dynamics/pose_update.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace tumble::test {
 

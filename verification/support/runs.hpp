@@ -43,7 +43,7 @@ inline World stack_of(int count, double friction = 0.5, double restitution = 0.0
   World world;
   world.add_ground(friction, restitution);
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, friction, restitution);
-  for (int k = 0; k < count; ++k) world.add(cube, make_state(cube, Vec3(0.0, k + 0.5, 0.0)));
+  for (int k = 0; k < count; ++k) world.add(cube, Vec3(0.0, k + 0.5, 0.0));
   return world;
 }
 
@@ -56,8 +56,8 @@ inline World tilted_plane(double degrees, double friction, double speed = 0.0) {
   world.add_ground(friction);
   const double angle = degrees * std::numbers::pi / 180.0;
   world.gravity_w = 9.81 * Vec3(std::sin(angle), -std::cos(angle), 0.0);
-  const BodyProperties body = box_properties(Vec3(1.0, 0.2, 1.0), 1.0, friction);
-  world.add(body, make_state(body, Vec3(0.0, 0.1, 0.0), Quat::Identity(), Vec3(speed, 0.0, 0.0)));
+  world.add(box_properties(Vec3(1.0, 0.2, 1.0), 1.0, friction), Vec3(0.0, 0.1, 0.0),
+            Quat::Identity(), Vec3(speed, 0.0, 0.0));
   return world;
 }
 

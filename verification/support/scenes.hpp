@@ -12,12 +12,6 @@
 
 namespace tumble::test {
 
-// [s] The step that the techniques are meant for.
-inline constexpr double kFrame = 1.0 / 60.0;
-
-// [m/s²] Of every scene with gravity.
-inline constexpr double kGravity = 9.81;
-
 // Settings of a scene or a technique, as a user writes them.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 

@@ -32,12 +32,8 @@ inline ContactList contacts_within(const World& world, double margin) {
 // friction: [-]
 inline Contact contact_at(int first, int second, const Vec3& position_w, const Vec3& normal_w,
                           double friction = 0.0) {
-  Contact contact;
-  contact.first = first;
-  contact.second = second;
-  contact.normal_w = normal_w;
-  contact.friction = friction;
-  contact.count = 1;
+  Contact contact{
+      .first = first, .second = second, .normal_w = normal_w, .friction = friction, .count = 1};
   contact.points[0].position_w = position_w;
   return contact;
 }
@@ -74,7 +70,7 @@ struct Pile {
   // orientation_wb: [-]
   int put(const BodyProperties& body, const Vec3& position_w,
           const Quat& orientation_wb = Quat::Identity()) {
-    world.add(body, make_state(body, position_w, orientation_wb));
+    world.add(body, position_w, orientation_wb);
     contacts.clear();
     return world.count() - 1;
   }

@@ -1,26 +1,14 @@
 /// \file
 /// \brief Bounces: no impact adds energy, and bodies that touch part by Newton's law at all points at once.
-#include "tumble/base/random.hpp"
-#include "tumble/dynamics/energy.hpp"
-#include "tumble/math/rotation.hpp"
-#include "tumble/scenes/scene_file.hpp"
-#include "tumble/scenes/simulation.hpp"
 
 #include "fuzz/random_world.hpp"
-#include "support/catch.hpp"
 #include "support/shared_data.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <string>
+#include "support/test.hpp"
 
 namespace {
 
 using namespace tumble;
-
-constexpr double kFrame = 1.0 / 60.0;
-constexpr double kG = 9.81;
+using namespace tumble::test;
 
 SceneBox cube(const std::string& name, double edge, double mass, const Vec3& position_w,
               const Vec3& velocity_w, double restitution) {
@@ -123,9 +111,8 @@ TEST_CASE("A box that bounces between the ground and a heavier one gains no ener
 
 TEST_CASE("An elastic cube rises as high as it was, bounce after bounce",
           "[exact][contact_damped][time_stepping][analytic_lcp]") {
-  Scene scene;
-  scene.ground = SceneGround{0.0, 1.0};
-  scene.boxes = {cube("cube", 1.0, 1.0, Vec3(0.0, 1.7, 0.0), Vec3::Zero(), 1.0)};
+  Scene scene{.ground = SceneGround{0.0, 1.0},
+              .boxes = {cube("cube", 1.0, 1.0, Vec3(0.0, 1.7, 0.0), Vec3::Zero(), 1.0)}};
   for (const char* technique : {"contact_damped", "time_stepping"}) {
     CAPTURE(technique);
     Simulation simulation(scene, technique);
@@ -160,20 +147,19 @@ TEST_CASE("A box on a larger one, dropped together, bounces with it by Newton's 
   for (const char* technique : {"contact_damped", "time_stepping"}) {
     for (const double ratio : {0.1, 1.0, 10.0}) {
       CAPTURE(technique, ratio);
-      Scene scene;
-      scene.ground = SceneGround{0.0, 0.5};
+      Scene scene{.ground = SceneGround{0.0, 0.5}};
       const Vec3 down_w(0.0, -3.0, 0.0);
       scene.boxes = {cube("lower", 1.0, 1.0, Vec3(0.0, 0.52, 0.0), down_w, 0.5),
                      cube("upper", 0.5, ratio, Vec3(0.0, 1.27, 0.0), down_w, 0.5)};
       Simulation simulation(scene, technique);
       REQUIRE(simulation.step(kFrame).status == StepStatus::done);
       // [m/s] The approach is that of the fall through the gap, or that of the start with what lifts both in the step.
-      const double lifted = kG * kFrame;
+      const double lifted = kGravity * kFrame;
       const double expected = std::string(technique) == "contact_damped"
-                                  ? 0.5 * std::sqrt(9.0 + 2.0 * kG * 0.02)
+                                  ? 0.5 * std::sqrt(9.0 + 2.0 * kGravity * 0.02)
                                   : std::hypot(1.5, lifted) - lifted;
-      CHECK(speed_up(simulation, "lower") == near(expected).margin(1e-3));
-      CHECK(speed_up(simulation, "upper") == near(speed_up(simulation, "lower")).margin(1e-5));
+      CHECK(speed_up(simulation, "lower") == near(expected, 1e-3));
+      CHECK(speed_up(simulation, "upper") == near(speed_up(simulation, "lower"), 1e-5));
     }
   }
 }
@@ -188,9 +174,9 @@ TEST_CASE("Elastic cubes in a row that touch part by Newton's law at all points 
     Simulation simulation(scene, technique);
     simulation.run_for(1.5);
     // The first pair parts at 1 m/s, the others stay together: v + 1 = V and v + 4 V = 1.
-    CHECK(simulation.body("b0").velocity_w().x() == near(-0.6).margin(1e-5));
+    CHECK(simulation.body("b0").velocity_w().x() == near(-0.6, 1e-5));
     for (const char* name : {"b1", "b2", "b3", "b4"})
-      CHECK(simulation.body(name).velocity_w().x() == near(0.4).margin(1e-5));
+      CHECK(simulation.body(name).velocity_w().x() == near(0.4, 1e-5));
   }
 }
 
@@ -219,8 +205,8 @@ TEST_CASE("A lever that is struck at one end lifts what touches the other one by
     CAPTURE(technique);
     Simulation simulation(scene, technique);
     REQUIRE(simulation.step(kFrame).status == StepStatus::done);
-    CHECK(speed_up(simulation, "striker") == near(p / m1 - v).margin(1e-5));
-    CHECK(speed_up(simulation, "load") == near(q / m2).margin(1e-5));
-    CHECK(speed_up(simulation, "bar") == near(-(p + q) / bar).margin(1e-5));
+    CHECK(speed_up(simulation, "striker") == near(p / m1 - v, 1e-5));
+    CHECK(speed_up(simulation, "load") == near(q / m2, 1e-5));
+    CHECK(speed_up(simulation, "bar") == near(-(p + q) / bar, 1e-5));
   }
 }

@@ -1,14 +1,8 @@
 /// \file
 /// \brief Scenes of a few boxes whose motion is known in closed form, with the techniques that promise to solve contacts.
 #include "tumble/record/run.hpp"
-#include "tumble/scenes/simulation.hpp"
-#include "tumble/techniques.hpp"
 
-#include "support/catch.hpp"
-
-#include <array>
-#include <cmath>
-#include <numbers>
+#include "support/test.hpp"
 
 namespace {
 
@@ -26,10 +20,7 @@ Quat about_z(double angle) { return Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ())
 // The world at the end of a run that no check complains about.
 World after(const Scene& scene, std::string_view technique, double duration, double dt) {
   Simulation simulation(scene, technique);
-  RunSettings settings;
-  settings.duration = duration;
-  settings.dt = dt;
-  const RunResult result = run_simulation(simulation, settings, {});
+  const RunResult result = run_simulation(simulation, {.dt = dt, .duration = duration}, {});
   CAPTURE(technique, result.findings);
   CHECK(result.worst == StepStatus::done);
   return simulation.world();
@@ -39,8 +30,7 @@ World after(const Scene& scene, std::string_view technique, double duration, dou
 
 // On edges m falls as far as both blocks of M give way: a = g m/(m + 2 M), here a third of g.
 TEST_CASE("A cube on its edge drives two blocks apart by the closed form", "[exact][technique]") {
-  Scene scene;
-  scene.ground = SceneGround{};
+  Scene scene{.ground = SceneGround{}};
   const double half_diagonal = std::sqrt(0.5);
   scene.boxes = {box("left", Vec3::Ones(), Vec3(-0.7, 0.5, 0.0), 0.0),
                  box("right", Vec3::Ones(), Vec3(0.7, 0.5, 0.0), 0.0),
@@ -52,9 +42,8 @@ TEST_CASE("A cube on its edge drives two blocks apart by the closed form", "[exa
     CAPTURE(technique);
     const World world = after(scene, technique, time, 1.0 / 480.0);
     // The first step moves by its end velocity: g/3 dt t/2 more, 1 %.
-    CHECK(world.body("right").position_w().x() - 0.7 == near(way).margin(0.02 * way));
-    CHECK(0.8 + half_diagonal - world.body("wedge").position_w().y() ==
-          near(way).margin(0.02 * way));
+    CHECK(world.body("right").position_w().x() - 0.7 == near(way, 0.02 * way));
+    CHECK(0.8 + half_diagonal - world.body("wedge").position_w().y() == near(way, 0.02 * way));
   }
 }
 
@@ -73,14 +62,13 @@ TEST_CASE("A plate that is thrown across a slope of its angle of friction ends w
   scene.boxes[1].velocity_w = Vec3(0.0, 0.0, 4.0);
   const World world = after(scene, "contact_damped", 12.0, 1.0 / 60.0);
   const Vec3 downhill_w(-std::cos(slope), -std::sin(slope), 0.0);
-  CHECK(world.body("plate").velocity_w().dot(downhill_w) == near(2.0).margin(0.02));
-  CHECK(world.body("plate").velocity_w().z() == near(0.0).margin(0.02));
+  CHECK(world.body("plate").velocity_w().dot(downhill_w) == near(2.0, 0.02));
+  CHECK(world.body("plate").velocity_w().z() == near(0.0, 0.02));
 }
 
 TEST_CASE("A box that slides easily pushes one that brakes, with the mean of both frictions",
           "[exact][technique]") {
-  Scene scene;
-  scene.ground = SceneGround{1.0, 0.0};
+  Scene scene{.ground = SceneGround{1.0, 0.0}};
   scene.boxes = {
       box("rear", Vec3(1.0, 0.2, 1.0), Vec3(0.0, 0.1, 0.0), 0.01),    // 0.1 with the ground
       box("front", Vec3(1.0, 0.2, 1.0), Vec3(1.0, 0.1, 0.0), 0.25)};  // 0.5
@@ -90,9 +78,9 @@ TEST_CASE("A box that slides easily pushes one that brakes, with the mean of bot
     CAPTURE(technique);
     const World world = after(scene, technique, 2.0, 1.0 / 60.0);
     // A step of 3 m/s · dt / 2 is 2.5 cm.
-    CHECK(world.body("front").position_w().x() - 1.0 == near(way).margin(0.025));
+    CHECK(world.body("front").position_w().x() - 1.0 == near(way, 0.025));
     CHECK(world.body("front").position_w().x() - world.body("rear").position_w().x() ==
-          near(1.0).margin(1e-3));
+          near(1.0, 1e-3));
   }
 }
 
@@ -107,8 +95,7 @@ TEST_CASE("A cube tips over a curb from the closed-form speed on", "[exact][tech
   for (const std::string_view technique : kBoth) {
     for (const double share : {0.95, 1.06}) {
       CAPTURE(technique, share);
-      Scene scene;
-      scene.ground = SceneGround{0.0, 0.0};
+      Scene scene{.ground = SceneGround{0.0, 0.0}};
       scene.boxes = {box("curb", Vec3(1.0, 2.0 * curb, 4.0), Vec3(1.05, 0.0, 0.0), 1e3),
                      box("cube", Vec3::Ones(), Vec3(0.0, 0.5, 0.0), 1e3)};
       scene.boxes[0].fixed = true;
@@ -138,9 +125,8 @@ TEST_CASE("A rod that lands with one end on an edge turns by the closed form",
     for (const std::string_view technique : kBoth) {
       CAPTURE(technique, restitution);
       const World world = after(scene, technique, 0.03, 1.0 / 960.0);
-      CHECK(world.body("rod").velocity_w().y() == near(impulse - 2.0).margin(0.01));
-      CHECK(world.body("rod").angular_velocity_w().z() ==
-            near(arm * impulse / inertia).margin(0.01));
+      CHECK(world.body("rod").velocity_w().y() == near(impulse - 2.0, 0.01));
+      CHECK(world.body("rod").angular_velocity_w().z() == near(arm * impulse / inertia, 0.01));
     }
   }
 }

@@ -1,8 +1,8 @@
 /// \file
 /// \brief Coulomb's friction under the techniques that have it: a slide, a slope, and rest on a slope.
 #include "impulse_damped/scene_runs.hpp"
-#include "support/catch.hpp"
 #include "support/runs.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -52,7 +52,7 @@ TEST_CASE("A sliding box stops where Coulomb's law says", "[exact][technique]") 
     CHECK(course.unbooked < 1e-9);  // [J]
     // [m] v²/(2 mu g); or the sum of 61 steps with the velocities of their ends.
     const double way = slider.exact ? 9.0 / (0.6 * kGravity) : 1.5041075;
-    CHECK(place(world) == near(way).margin(slider.way));
+    CHECK(place(world) == near(way, slider.way));
     CHECK(std::abs(speed(world)) < std::max(1e-12, slider.rest));
   }
 }
@@ -68,10 +68,9 @@ TEST_CASE("A box slides down a slope with g (sin - mu cos), and stays where that
       CHECK(run(slides, *technique, 60) == 0);
       const double angle = degrees * std::numbers::pi / 180.0;
       const double a = kGravity * (std::sin(angle) - 0.3 * std::cos(angle));
-      CHECK(speed(slides) == near(a).margin(slider.way));
+      CHECK(speed(slides) == near(a, slider.way));
       // a t²/2, or a h² N (N + 1)/2.
-      CHECK(place(slides) ==
-            near(slider.exact ? 0.5 * a : 0.5 * a * 61.0 / 60.0).margin(slider.way));
+      CHECK(place(slides) == near(slider.exact ? 0.5 * a : 0.5 * a * 61.0 / 60.0, slider.way));
     }
     World stays = tilted_plane(30.0, 0.6);
     const auto technique = awake(slider.name, slider.set);

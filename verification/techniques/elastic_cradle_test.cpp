@@ -1,14 +1,8 @@
 /// \file
 /// \brief Elastic bodies that meet one after another: energy is kept, or the loss is booked and stated.
 #include "tumble/record/metrics.hpp"
-#include "tumble/scenes/simulation.hpp"
-#include "tumble/techniques.hpp"
 
-#include "support/catch.hpp"
-
-#include <algorithm>
-#include <initializer_list>
-#include <string_view>
+#include "support/test.hpp"
 
 namespace tumble {
 namespace {
@@ -31,7 +25,7 @@ Scene cradle(bool floor) {
 }
 
 bool is_one_of(std::string_view name, std::initializer_list<std::string_view> list) {
-  return std::find(list.begin(), list.end(), name) != list.end();
+  return std::ranges::find(list, name) != list.end();
 }
 
 // As the lines of `tumble techniques` say: several impacts of a step are one; nothing bounces; or bodies are damped.

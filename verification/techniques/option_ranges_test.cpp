@@ -1,14 +1,7 @@
 /// \file
 /// \brief Options of all techniques at the ends of their ranges: every step ends, and the work in it is counted.
-#include "tumble/base/number_text.hpp"
-#include "tumble/base/random.hpp"
-#include "tumble/scenes/simulation.hpp"
-#include "tumble/techniques.hpp"
 
-#include "support/catch.hpp"
-
-#include <algorithm>
-#include <stdexcept>
+#include "support/test.hpp"
 
 namespace tumble {
 namespace {
@@ -19,8 +12,7 @@ constexpr double kMuch = 1000;  // of what is counted: passes, events, impacts
 Scene small_heap() {
   Scene scene;
   scene.ground.emplace(SceneGround{0.4, 0.5});
-  SceneBox below;
-  below.position_w = Vec3(0.0, 0.5, 0.0);
+  SceneBox below{.position_w = Vec3(0.0, 0.5, 0.0)};
   SceneBox on_it = below;
   on_it.position_w = Vec3(0.1, 1.502, 0.05);
   on_it.velocity_w = Vec3(0.5, -1.0, 0.0);

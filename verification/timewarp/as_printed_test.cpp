@@ -1,11 +1,9 @@
 /// \file
 /// \brief The two printed listings of the timewarp: the effect of each misprint, and that nothing else is
 ///        wrong with them.
-#include "tumble/base/random.hpp"
-#include "tumble/techniques.hpp"
 #include "tumble/timewarp/as_printed/timewarp_as_printed.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "timewarp/cases.hpp"
 
 namespace {
@@ -28,12 +26,10 @@ TimewarpErrata but(std::initializer_list<const char*> ids, TimewarpErrata set = 
 
 TimewarpAsPrintedOptions printed(const TimewarpErrata& repaired, TimewarpListing listing = kSimple,
                                  int cap = 50, bool collide_separating = false) {
-  TimewarpAsPrintedOptions options;
-  options.listing = listing;
-  options.repaired = repaired;
-  options.cap = cap;
-  options.collide_separating = collide_separating;
-  return options;
+  return TimewarpAsPrintedOptions{.listing = listing,
+                                  .repaired = repaired,
+                                  .cap = cap,
+                                  .collide_separating = collide_separating};
 }
 
 // One frame and the state after it.
@@ -62,11 +58,10 @@ struct Frame {
 
 // Two cubes fly over one another, and two others would collide beneath them while they overlap.
 World crossing() {
-  World world;
-  world.gravity_w = Vec3::Zero();
+  World world = weightless_world();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, 1.0);
   const auto add = [&](double x, double y, double v) {
-    world.add(cube, make_state(cube, Vec3(x, y, 0.0), Quat::Identity(), Vec3(v, 0.0, 0.0)));
+    world.add(cube, Vec3(x, y, 0.0), Quat::Identity(), Vec3(v, 0.0, 0.0));
   };
   add(0.0, 0.0, 2.0);
   add(1.5, 0.0, 0.0);
@@ -76,11 +71,9 @@ World crossing() {
 }
 
 World ball_above_ground(double height, double speed_down) {
-  World world;
-  world.add_ground(0.0, 0.5);
-  const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, 0.5);
-  world.add(cube, make_state(cube, Vec3(0.0, 0.5 + height, 0.0), Quat::Identity(),
-                             Vec3(0.0, -speed_down, 0.0)));
+  World world = ground_world(0.0, 0.5);
+  world.add(box_properties(Vec3::Ones(), 1.0, 0.0, 0.5), Vec3(0.0, 0.5 + height, 0.0),
+            Quat::Identity(), Vec3(0.0, -speed_down, 0.0));
   return world;
 }
 
@@ -125,13 +118,11 @@ World row(std::uint64_t seed) {
 
 World pile(std::uint64_t seed) {
   Random random(seed);
-  World world;
-  world.add_ground(0.3, 0.3);
+  World world = ground_world(0.3, 0.3);
   for (int k = 0; k < 4; ++k) {
-    const BodyProperties cube = box_properties(Vec3::Constant(0.2), 1.0, 0.3, 0.3);
-    world.add(cube, make_state(cube, Vec3(0.1 * random.uniform(-1.0, 1.0), 0.15 + 0.3 * k, 0.0),
-                               Quat::Identity(), Vec3(0.0, -1.0, 0.0),
-                               Vec3(0.0, 0.0, random.uniform(-3.0, 3.0))));
+    world.add(box_properties(Vec3::Constant(0.2), 1.0, 0.3, 0.3),
+              Vec3(0.1 * random.uniform(-1.0, 1.0), 0.15 + 0.3 * k, 0.0), Quat::Identity(),
+              Vec3(0.0, -1.0, 0.0), Vec3(0.0, 0.0, random.uniform(-3.0, 3.0)));
   }
   return world;
 }
@@ -213,12 +204,12 @@ TEST_CASE("T5: a body that passes through another one within a frame is missed",
   const TimewarpErrata all = TimewarpErrata::all();
   const Frame missed(world, printed(but({"T5"}, all)));
   CHECK(missed.events() == 1);
-  CHECK(missed.x(1) == near(3.0).margin(kFound));
-  CHECK(missed.x(2) == near(1.9).margin(kFound));
+  CHECK(missed.x(1) == near(3.0, kFound));
+  CHECK(missed.x(2) == near(1.9, kFound));
   const Frame seen(world, printed(all));
   CHECK(seen.events() == 3);
-  CHECK(seen.x(1) == near(1.5).margin(kFound));
-  CHECK(seen.x(2) == near(4.0).margin(kFound));
+  CHECK(seen.x(1) == near(1.5, kFound));
+  CHECK(seen.x(2) == near(4.0, kFound));
 }
 
 TEST_CASE("T3, T4, T6 and T10 do to the safer listing what they do to the simple one",
@@ -228,11 +219,11 @@ TEST_CASE("T3, T4, T6 and T10 do to the safer listing what they do to the simple
     return Frame(world, printed(left == nullptr ? misprints() : but({left}), kSafer), dt);
   };
   const World pair = line_of("0:2,1.5:0", "0.5");
-  CHECK(frame("T3", pair).valid_time(0) == near(1.0).margin(kFound));
-  CHECK(frame(nullptr, pair).valid_time(0) == near(0.25).margin(kFound));
+  CHECK(frame("T3", pair).valid_time(0) == near(1.0, kFound));
+  CHECK(frame(nullptr, pair).valid_time(0) == near(0.25, kFound));
   const World three = line_of("0:2,1.5:0,3.4:-1");
-  CHECK(frame("T4", three).observed.events[1].time == near(0.3).margin(kFound));
-  CHECK(frame(nullptr, three).observed.events[1].time == near(7.0 / 15.0).margin(kFound));
+  CHECK(frame("T4", three).observed.events[1].time == near(0.3, kFound));
+  CHECK(frame(nullptr, three).observed.events[1].time == near(7.0 / 15.0, kFound));
   const World landing = ball_above_ground(0.0, 0.05);
   CHECK(frame("T6", landing, kFrame).capped());
   CHECK_FALSE(frame(nullptr, landing, kFrame).capped());
@@ -271,7 +262,7 @@ TEST_CASE("The printed timewarps are made by name, and their options need that r
     World world = line_of("0:2,1.5:0");
     const std::unique_ptr<Technique> made = recipe.make(p, 1);
     made->clone()->step(world, 1.0);
-    CHECK(world.states()[1].position_w.x() == near(3.0).margin(kFound));
+    CHECK(world.states()[1].position_w.x() == near(3.0, kFound));
     p.set("repaired", "C1");
     CHECK_THROWS_AS(recipe.make(p, 1), std::invalid_argument);
   }

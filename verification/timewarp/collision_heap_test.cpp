@@ -2,9 +2,7 @@
 /// \brief The queue of predicted collisions against a list with linear search.
 #include "tumble/timewarp/collision_heap.hpp"
 
-#include "tumble/base/random.hpp"
-
-#include "support/catch.hpp"
+#include "support/test.hpp"
 
 namespace {
 
@@ -20,18 +18,16 @@ class PlainList {
     });
   }
   [[nodiscard]] bool empty() const { return all_.empty(); }
-  [[nodiscard]] ForeseenCollision first() const {
-    return *std::min_element(all_.begin(), all_.end());
-  }
+  [[nodiscard]] ForeseenCollision first() const { return *std::ranges::min_element(all_); }
   ForeseenCollision remove_first() {
-    const auto place = std::min_element(all_.begin(), all_.end());
+    const auto place = std::ranges::min_element(all_);
     const ForeseenCollision out = *place;
     all_.erase(place);
     return out;
   }
   [[nodiscard]] std::vector<ForeseenCollision> entries() const {
     std::vector<ForeseenCollision> out = all_;
-    std::sort(out.begin(), out.end());
+    std::ranges::sort(out);
     return out;
   }
 

@@ -1,11 +1,10 @@
 /// \file
 /// \brief Stories of collisions and how they differ, and figure 5.1 (5.1).
-#include "tumble/base/random.hpp"
 
 #include "driver/played_scene.hpp"
 #include "driver/quick.hpp"
 #include "driver/settings.hpp"
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "timewarp/bands.hpp"
 #include "timewarp/event_story.hpp"
 
@@ -36,7 +35,7 @@ std::string wrong(const std::vector<std::string>& reference,
   return marks;
 }
 
-World world_with(const std::string& scene) { return build_world(scene_with(scene, {})); }
+World world_with(const std::string& scene) { return build_world(make_scene(scene, {})); }
 
 }  // namespace
 
@@ -72,8 +71,7 @@ TEST_CASE("A longest common story leaves out no more collisions than any other c
       std::vector<std::string> chosen;
       for (std::size_t k = 0; k < tested.size(); ++k)
         if ((choice >> k & 1U) != 0) chosen.push_back(tested[k]);
-      if (std::is_sorted(chosen.begin(), chosen.end()))
-        most = std::max(most, static_cast<int>(chosen.size()));
+      if (std::ranges::is_sorted(chosen)) most = std::max(most, static_cast<int>(chosen.size()));
     }
     CHECK(counts(reference, tested)[1] == static_cast<int>(tested.size()) - most);
   }
@@ -88,7 +86,7 @@ TEST_CASE("A story goes on over frames and takes its observer away", "[unit][tim
   // [s] times go on from frame to frame; a few times the resolution.
   const std::vector<Collision> frames = story_of(*technique, start, 0.25, 4);
   REQUIRE(frames.size() == 3);
-  CHECK(frames[2].time == near(0.9).margin(1e-5));
+  CHECK(frames[2].time == near(0.9, 1e-5));
   CHECK(frames[2].first == 0);
   CHECK(frames[2].second == 1);
   // [s] and of a world that has run for a while they count from its start.
@@ -96,7 +94,7 @@ TEST_CASE("A story goes on over frames and takes its observer away", "[unit][tim
   again.set_velocity(again.ids()[0], Vec3(2.0, 0.0, 0.0), Vec3::Zero());
   const std::vector<Collision> late = story_of(*technique, again, 1.0);
   REQUIRE(!late.empty());
-  CHECK(late[0].time == near(0.55).margin(1e-5));
+  CHECK(late[0].time == near(0.55, 1e-5));
 }
 
 TEST_CASE("Bands end where the technique has put the bodies", "[unit][timewarp]") {
@@ -111,7 +109,7 @@ TEST_CASE("Bands end where the technique has put the bodies", "[unit][timewarp]"
       REQUIRE(ways.size() == end.states().size());
       for (std::size_t body = 0; body < ways.size(); ++body) {
         // [m] rounding: each flight ends at a knot.
-        CHECK(place_at(ways[body], frame) == near(end.states()[body].position_w.x()).margin(1e-12));
+        CHECK(place_at(ways[body], frame) == near(end.states()[body].position_w.x(), 1e-12));
         CHECK(ways[body].front().place == start.states()[body].position_w.x());
       }
     }
@@ -133,7 +131,7 @@ TEST_CASE("Simple and safer put the five cubes of figure 5.1 out of order, swept
   // [s] A passes two edges at 24 m/s.
   for (const std::string form : {"simple", "safer"})
     CHECK(figure.number("time for which pairs of cubes overlap, " + form) ==
-          near(0.2 / 24.0).margin(1e-12));
+          near(0.2 / 24.0, 1e-12));
   CHECK(figure.number("time for which pairs of cubes overlap, swept") == 0.0);
 }
 
@@ -153,10 +151,10 @@ TEST_CASE("The reference of figure 5.1 meets at the times of the closed form",
     if (row[0] == 3.0) reference.push_back(row);
   REQUIRE(reference.size() == times.size());
   // [edges] A and B meet at B's left face, half an edge from its centre at 1.6.
-  CHECK(reference[0][2] == near(1.1).margin(1e-9));
+  CHECK(reference[0][2] == near(1.1, 1e-9));
   for (std::size_t k = 0; k < times.size(); ++k) {
     // [ms] measured 1e-5 at the most, in the last of them.
-    CHECK(reference[k][3] == near(1e3 * times[k]).margin(2e-5));
+    CHECK(reference[k][3] == near(1e3 * times[k], 2e-5));
     CHECK(reference[k][4] == 0.0);
   }
 }

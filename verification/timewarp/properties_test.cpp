@@ -1,9 +1,7 @@
 /// \file
 /// \brief Properties in every scene: time stamps, mirrors, momentum, counters, termination of each step.
-#include "tumble/base/index.hpp"
-#include "tumble/dynamics/energy.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "timewarp/cases.hpp"
 
 namespace {
@@ -48,10 +46,7 @@ class DeadReckoning {
 
 // A cage of bricks with unequal edges.
 World cage_of_bricks(int count, std::uint64_t seed) {
-  const SceneRecipe& recipe = scene_recipe("cage");
-  Parameters p = recipe.parameters();
-  p.set("count", std::to_string(count));
-  Scene scene = recipe.build(p, Random(seed));
+  Scene scene = make_scene("cage", {"count=" + std::to_string(count)}, seed);
   for (SceneBox& box : scene.boxes)
     if (!box.fixed) box.size = Vec3(1.0, 0.7, 0.4);
   return build_world(scene);

@@ -3,7 +3,7 @@
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/timewarp/timewarp_full.hpp"
 
-#include "support/catch.hpp"
+#include "support/test.hpp"
 #include "timewarp/cases.hpp"
 
 namespace {
@@ -45,10 +45,7 @@ Story by_full(const World& world, double resolution, std::size_t length, double 
 }
 
 Story by_all(const World& world, double resolution, std::size_t length) {
-  BasicOptions options;
-  options.search = SearchMethod::conservative;
-  options.resolution = resolution;
-  Basic basic(options);
+  Basic basic({.resolution = resolution, .search = SearchMethod::conservative});
   return collect(basic, world, length);
 }
 

@@ -45,9 +45,6 @@ struct AnalyticOptions {
   DampingShares damping;  ///< damping: how much is left of the motion of bodies in contact
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(AnalyticOptions& o, Visitor& v) {
   v.word("friction", o.friction,
@@ -131,12 +128,10 @@ void describe(AnalyticOptions& o, Visitor& v) {
 class Analytic : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a value out of range, a solver that there is not, or the one
   ///         that tries everything, which is for a few contacts only; for stable boxes with friction
   explicit Analytic(const AnalyticOptions& options = {});
-  /// A copy with all memory.
-  /// \param other the original
+  /// A copy with all memory; its storage begins empty.
   Analytic(const Analytic& other);
   Analytic& operator=(const Analytic&) = delete;
   ~Analytic() override = default;

@@ -39,8 +39,7 @@ bool Analytic::resolve_by_velocities(const World& world, const Progress& progres
   std::vector<MovingBody> trial;
   load_moving_bodies(world, trial);  // those of this island have not been stored since the impact
   const std::vector<Acceleration> none(trial.size());
-  VelocityStepOptions how;
-  how.directions = options_.directions;
+  VelocityStepOptions how{.directions = options_.directions};
   how.sticky.rule = StickyRule::off;  // restitution has been decided
   const VelocityStepResult found =
       unsettled_.solve(world, none, island_, progress.left(), how, trial);

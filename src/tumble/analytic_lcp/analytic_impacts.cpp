@@ -68,9 +68,7 @@ void Analytic::resolve(std::span<const int> which, const World& world, const Pro
     if (options_.friction != AnalyticFriction::coulomb) contact.friction = 0.0;
   }
   // [S4.3:sticky]
-  ImpactOptions how;
-  how.order = options_.impacts;
-  const ImpactResult impact = impacts_.resolve(island_, moving_, how);
+  const ImpactResult impact = impacts_.resolve(island_, moving_, {.order = options_.impacts});
   const bool settled = impact.status == ImpactStatus::done;
   if (settled || !resolve_by_velocities(world, progress, report)) {
     report.events += impact.collisions;
@@ -82,9 +80,7 @@ void Analytic::resolve(std::span<const int> which, const World& world, const Pro
 
 void Analytic::record_impact(const Contact& contact, double time) {
   add_records({&contact, 1}, time, records_);
-  Event moment;
-  moment.time = time;
-  moment.rewinds = rewound_;
+  Event moment{.time = time, .rewinds = rewound_};
   // Rewinds are reported with the first of the collisions.
   if (report_collision(contact, moment, observer())) rewound_ = 0;
 }

@@ -205,10 +205,8 @@ bool ContactForces::solve_friction(const Task& task, ForceReport& report) {
 bool ContactForces::take_velocity_step(const Task& task, ForceReport& report) {
   for (Contact& contact : island_) contact.restitution = 0.0;
   trial_.assign(task.bodies.begin(), task.bodies.end());
-  VelocityStepOptions how;
-  how.directions = options_.directions;
-  const VelocityStepResult step =
-      velocity_step_.solve(*task.world, free_, island_, task.aim.duration, how, trial_);
+  const VelocityStepResult step = velocity_step_.solve(
+      *task.world, free_, island_, task.aim.duration, {.directions = options_.directions}, trial_);
   report.pivots += step.pivots;
   if (!step.solved) {
     report.status = LcpStatus::infeasible;

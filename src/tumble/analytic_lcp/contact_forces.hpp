@@ -83,7 +83,6 @@ struct ForceReport {
 class ContactForces {
  public:
   /// Makes the solvers.
-  /// \param options see there
   /// \throws std::invalid_argument for a solver or a number of directions that there is not, or for
   ///         stable boxes with friction
   explicit ContactForces(const ContactForceOptions& options);
@@ -94,7 +93,6 @@ class ContactForces {
   /// \param contacts  points that rest, with approach speeds of now. Impulses in: those of an earlier
   ///                  instant, where to start from; out: force times aim.duration; 0 between bodies
   ///                  that are left out
-  /// \param aim       see there
   /// \return what was found; not solved: forces of no use
   /// \throws std::invalid_argument for contacts that ContactProblem refuses
   ForceReport solve(const World& world, std::span<const MovingBody> bodies,

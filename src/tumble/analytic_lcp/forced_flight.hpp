@@ -27,7 +27,6 @@ namespace tumble {
 class ForcedFlight {
  public:
   /// Keeps the present states as the start; no body follows another one.
-  /// \param world  the bodies
   void begin(const World& world);
 
   /// Says what acts from the start on, besides gravity.
@@ -36,7 +35,6 @@ class ForcedFlight {
   void set_wrenches(std::span<const Wrench> wrenches);
 
   /// Makes bodies follow those that push them.
-  /// \param world   the bodies
   /// \param bodies  how they move at the start, by index
   /// \param pushed  pairs of a pushing and a pushed body
   void carry(const World& world, std::span<const MovingBody> bodies,
@@ -47,7 +45,6 @@ class ForcedFlight {
   void accelerate(std::span<const Acceleration> rates);
 
   /// The displacement of a body from its parabola because it follows another one.
-  /// \param body  its index
   /// \param time  [s] after the start
   /// \return [m] world frame; 0 for a body that follows none
   [[nodiscard]] Vec3 offset_w(int body, double time) const;
@@ -55,7 +52,6 @@ class ForcedFlight {
   /// Puts all bodies where they are at a time.
   /// \param world  the bodies of begin(); states are overwritten
   /// \param time   [s] after the start
-  /// \param rule   how bodies turn
   /// \throws std::invalid_argument if an angular momentum is not finite
   void put(World& world, double time, RotationRule rule) const;
 
@@ -63,7 +59,6 @@ class ForcedFlight {
   /// \param world  the bodies of begin(); its state is overwritten
   /// \param body   its index; nothing happens to an immovable one
   /// \param time   [s] after the start
-  /// \param rule   how it turns
   /// \throws std::invalid_argument if an angular momentum is not finite
   void put(World& world, int body, double time, RotationRule rule) const;
 

@@ -27,8 +27,7 @@ FrictionSweepReport FrictionSweeps::solve(std::span<const MovingBody> bodies,
   const auto visits = static_cast<std::int64_t>(std::max<std::size_t>(rows_.size(), 1));
   const auto most =
       static_cast<int>(std::clamp<std::int64_t>(kMostVisits / visits, kLeastSweeps, kMostSweeps));
-  FrictionSweepReport report;
-  report.error = std::numeric_limits<double>::infinity();
+  FrictionSweepReport report{.error = std::numeric_limits<double>::infinity()};
   double slope = 0.0;
   while (report.sweeps < most) {
     double change = 0.0;

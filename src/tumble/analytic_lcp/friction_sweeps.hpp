@@ -55,7 +55,6 @@ class FrictionSweeps {
   /// \param points    the points that can push; `sliding_w` and `tangential_constant_w` are not read
   /// \param wanted    [m/s] a change that is small enough
   /// \param pushes    [N s] one for each point, on the second body, world frame: where to start, and the answer
-  /// \return how far it came
   FrictionSweepReport solve(std::span<const MovingBody> bodies, std::span<const Contact> contacts,
                             std::span<const FrictionPoint> points, double wanted,
                             std::span<Vec3> pushes);

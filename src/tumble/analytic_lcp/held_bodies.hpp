@@ -40,9 +40,6 @@ class HeldBodies {
   [[nodiscard]] std::span<const char> held() const { return held_; }
 
   /// Whether a movable body is held.
-  /// \param world  the bodies
-  /// \param body   its index
-  /// \return true if so
   [[nodiscard]] bool holds(const World& world, int body) const {
     return !held_.empty() && held_[static_cast<std::size_t>(body)] != 0 &&
            world.bodies()[static_cast<std::size_t>(body)].movable();

@@ -52,11 +52,8 @@ struct FirstImpact {
 class ImpactSearch {
  public:
   /// Searches.
-  /// \param flight  how bodies move
-  /// \param task    see there
   /// \param world   the bodies; states are overwritten, and are those at the start of the flight in
   ///                the end
-  /// \return the first collision
   FirstImpact find(const ForcedFlight& flight, const ImpactSearchTask& task, World& world);
 
  private:

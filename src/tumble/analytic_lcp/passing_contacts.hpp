@@ -34,7 +34,6 @@ class PassingContacts {
   /// \param bodies    how they move, one for each body index
   /// \param pairs     that may meet, in ascending order
   /// \param dt        [s] the step
-  /// \param rotation  how bodies turn
   /// \param contacts  in and out, in ascending order
   /// \param report    pair tests are counted
   void add(const World& world, std::span<const MovingBody> bodies, std::span<const IndexPair> pairs,

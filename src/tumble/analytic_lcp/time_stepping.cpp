@@ -25,9 +25,6 @@ TimeStepping::TimeStepping(const TimeSteppingOptions& options) : options_(option
                 "directions = " + std::to_string(directions) + ": expected 4 or 8");
 }
 
-TimeStepping::TimeStepping(const TimeStepping& other)
-    : Technique(other), options_(other.options_), records_(other.records_) {}
-
 std::unique_ptr<Technique> TimeStepping::clone() const {
   return std::make_unique<TimeStepping>(*this);
 }

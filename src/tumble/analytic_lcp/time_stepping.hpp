@@ -25,9 +25,6 @@ struct TimeSteppingOptions {
   PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other are moved
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(TimeSteppingOptions& o, Visitor& v) {
   v.word("form", o.velocities.form,
@@ -85,12 +82,8 @@ void describe(TimeSteppingOptions& o, Visitor& v) {
 class TimeStepping : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a number of directions other than 4 or 8
   explicit TimeStepping(const TimeSteppingOptions& options = {});
-  /// A copy with all memory; its storage begins empty.
-  /// \param other the original
-  TimeStepping(const TimeStepping& other);
 
   [[nodiscard]] std::string_view name() const override { return "time_stepping"; }
   StepReport step(World& world, double dt) override;

@@ -18,8 +18,7 @@ double pair_size(const World& world, int first, int second) {
 }
 
 TouchScale touch_scale(const World& world, int first, int second, double dt) {
-  TouchScale scale;
-  scale.size = pair_size(world, first, second);
+  TouchScale scale{.size = pair_size(world, first, second)};
   const double g = world.gravity_w.norm();
   scale.resting_speed = g > 0.0 ? tolerance::resting_speed * std::sqrt(g * scale.size)
                                 : tolerance::resting_speed_weightless * (scale.size / dt);

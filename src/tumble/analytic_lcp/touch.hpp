@@ -19,7 +19,6 @@ enum class PointMotion : std::uint8_t {
 };
 
 /// The size of a pair.
-/// \param world   the bodies
 /// \param first   index of a body
 /// \param second  index of another one
 /// \return [m] the shortest edge of the smaller one; the ground has none
@@ -47,19 +46,16 @@ TouchScale touch_scale(const World& world, int first, int second, double dt);
 PointMotion motion_of(const ContactPoint& point, const TouchScale& scale);
 
 /// Finds all points within the margin of their pair, tolerance::contact_margin of its size.
-/// \param world       where the bodies are
 /// \param bodies      how they move, one for each body index
 /// \param candidates  pairs as gather_contacts() takes them
 /// \param previous    contacts of an earlier instant: axes and impulses are taken over from them
 /// \param out         is overwritten; every contact has a point. Not `previous`
-/// \return counts
 /// \throws std::invalid_argument as gather_contacts()
 GatherReport gather_near(const World& world, std::span<const MovingBody> bodies,
                          std::span<const IndexPair> candidates, std::span<const Contact> previous,
                          ContactList& out);
 
 /// The same for all pairs of a world at an instant.
-/// \param world   where the bodies are
 /// \param bodies  how they move, one for each body index
 /// \param out     is overwritten; contacts in the order of their indices
 /// \par Cost

@@ -107,10 +107,8 @@ class VelocityStep {
   /// \param contacts  what touches or may, gathered with the velocities of the start: approach speeds
   ///                  are read, impulses are overwritten
   /// \param dt        [s] h
-  /// \param options   see there
   /// \param bodies    how they move and how easily they are moved, one for each body index; unless
   ///                  solved they stay as they are
-  /// \return what was done
   /// \throws std::invalid_argument if there is not one entry of `free` and of `bodies` for each body, a
   ///         contact names a body that there is not, dt is not above 0, or an option is out of range
   VelocityStepResult solve(const World& world, std::span<const Acceleration> free,

@@ -78,7 +78,6 @@ class ErrataSetOf {
 
   /// Whether an erratum is in the set.
   /// \param id one of known()
-  /// \return true if so
   /// \throws std::invalid_argument for another id
   [[nodiscard]] bool has(std::string_view id) const {
     return mended_.test(known_errata().place_of(id));
@@ -86,7 +85,6 @@ class ErrataSetOf {
 
   /// The same set with one erratum more.
   /// \param id one of known()
-  /// \return a copy
   /// \throws std::invalid_argument for another id
   [[nodiscard]] ErrataSetOf with(std::string_view id) const {
     ErrataSetOf copy = *this;
@@ -96,7 +94,6 @@ class ErrataSetOf {
 
   /// The same set with one erratum less.
   /// \param id one of known()
-  /// \return a copy
   /// \throws std::invalid_argument for another id
   [[nodiscard]] ErrataSetOf without(std::string_view id) const {
     ErrataSetOf copy = *this;
@@ -110,7 +107,6 @@ class ErrataSetOf {
 
   /// Whether two sets hold the same errata.
   /// \param other the other set
-  /// \return true if so
   bool operator==(const ErrataSetOf& other) const = default;
 
  private:

@@ -4,7 +4,6 @@
 
 #include "tumble/base/types.hpp"
 
-#include <string>
 #include <string_view>
 
 /// Checks of arguments.

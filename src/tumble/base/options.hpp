@@ -144,7 +144,6 @@ Parameters declared_options() {
 
 /// Fills a struct of options.
 /// \param parameters  as declared_options() returned them, with values changed
-/// \return the struct
 template <class Options>
 Options read_options(const Parameters& parameters) {
   Options options;

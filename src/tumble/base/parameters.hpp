@@ -39,7 +39,6 @@ struct Parameter {
 class Parameters {
  public:
   /// Declares a number.
-  /// \param key      its name
   /// \param initial  the default
   /// \param low      smallest value accepted
   /// \param high     largest value accepted
@@ -50,7 +49,6 @@ class Parameters {
                          std::string meaning);
 
   /// Declares a whole number.
-  /// \param key      its name
   /// \param initial  the default
   /// \param low      smallest value accepted
   /// \param high     largest value accepted
@@ -60,28 +58,24 @@ class Parameters {
                         std::string meaning);
 
   /// Declares a switch.
-  /// \param key      its name
   /// \param initial  the default
   /// \param meaning  one line
   /// \return this, for the next declaration
   Parameters& add_flag(std::string key, bool initial, std::string meaning);
 
   /// Declares a choice of words.
-  /// \param key      its name
   /// \param choices  the words accepted; the first is the default
   /// \param meaning  one line
   /// \return this, for the next declaration
   Parameters& add_word(std::string key, std::vector<std::string> choices, std::string meaning);
 
   /// Declares a text. It is checked where it is used.
-  /// \param key      its name
   /// \param initial  the default, not empty
   /// \param meaning  one line
   /// \return this, for the next declaration
   Parameters& add_text(std::string key, std::string initial, std::string meaning);
 
   /// Changes a setting.
-  /// \param key    its name
   /// \param value  as a user writes it
   /// \throws std::invalid_argument if there is no such key or the value is not accepted; the
   ///         message lists the accepted ones
@@ -93,23 +87,19 @@ class Parameters {
   void assign(std::string_view setting);
 
   /// Whether there is a setting of this name.
-  /// \param key its name
   /// \return true if declared
   [[nodiscard]] bool has(std::string_view key) const;
 
   /// The value of a number.
   /// \param key its name, declared as a number
-  /// \return its value
   [[nodiscard]] double number(std::string_view key) const;
 
   /// The value of a whole number.
   /// \param key its name, declared as whole
-  /// \return its value
   [[nodiscard]] std::int64_t whole(std::string_view key) const;
 
   /// The value of a whole number, as most code wants it.
   /// \param key its name, declared as whole within the range of int
-  /// \return its value
   [[nodiscard]] int count(std::string_view key) const { return static_cast<int>(whole(key)); }
 
   /// The value of a switch.

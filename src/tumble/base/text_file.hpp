@@ -9,10 +9,8 @@
 namespace tumble {
 
 /// Reads all of a file; a pipe will do.
-/// \param path     where
-/// \param wanted   the kind of file, for messages, for example "a scene file, *.toml"
-/// \param most_mib [MiB] largest size
-/// \return its content
+/// \param wanted    the kind of file, for messages, for example "a scene file, *.toml"
+/// \param most_mib  [MiB] largest size
 /// \throws std::invalid_argument if there is no such file, it is a folder, cannot be read, or is larger
 std::string read_text(const std::filesystem::path& path, const std::string& wanted,
                       std::size_t most_mib);

@@ -41,7 +41,6 @@ using Quat = Eigen::Quaterniond;  ///< orientation, body to world; constructor o
 enum class BodyId : std::uint32_t {};
 
 /// The number behind an id, for printing and hashing.
-/// \param id the id
 /// \return its number, from 0
 constexpr std::uint32_t number_of(BodyId id) { return static_cast<std::uint32_t>(id); }
 

@@ -20,8 +20,6 @@ Basic::Basic(const BasicOptions& options) : options_(options) {
                 "event_cap = " + std::to_string(options.event_cap) + ": expected 1 or more");
 }
 
-Basic::Basic(const Basic& other) : Technique(other), options_(other.options_) {}
-
 std::unique_ptr<Technique> Basic::clone() const { return std::make_unique<Basic>(*this); }
 
 StepReport Basic::step(World& world, double dt) {
@@ -129,9 +127,7 @@ double Basic::resolve(World& world, const Event& moment, StepReport& report) {
   const GatherReport gathered = gather_contacts(world, moving_, touching_, margin, {}, contacts_);
   report.pair_tests += gathered.pair_tests;
 
-  ImpactOptions how;
-  how.order = options_.impacts;
-  const ImpactResult impact = impacts_.resolve(contacts_, moving_, how);
+  const ImpactResult impact = impacts_.resolve(contacts_, moving_, {.order = options_.impacts});
   store_moving_bodies(moving_, world);
   if (impact.status != ImpactStatus::done)
     report.status = std::max(report.status, StepStatus::event_cap);

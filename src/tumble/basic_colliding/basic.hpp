@@ -27,9 +27,6 @@ struct BasicOptions {
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn in flight
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(BasicOptions& o, Visitor& v) {
   v.number("resolution", o.resolution, tolerance::least_event_resolution, 1.0, "s",
@@ -57,12 +54,8 @@ void describe(BasicOptions& o, Visitor& v) {
 class Basic : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a resolution not above 0 or a cap below 1
   explicit Basic(const BasicOptions& options = {});
-  /// A copy with all memory; its storage begins empty.
-  /// \param other the original
-  Basic(const Basic& other);
 
   [[nodiscard]] std::string_view name() const override { return "basic"; }
   StepReport step(World& world, double dt) override;

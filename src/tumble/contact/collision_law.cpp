@@ -112,8 +112,7 @@ void check(const PointImpact& impact) {
 }
 
 PointImpulse solve_impact(const PointImpact& impact, RestitutionLaw law) {
-  PointImpulse result;
-  result.restitution = impact.restitution;
+  PointImpulse result{.restitution = impact.restitution};
   const Vec3& n = impact.normal_w;
   if (n.dot(impact.velocity_w) >= 0.0) return result;
 

@@ -5,7 +5,6 @@
 #include "tumble/contact/effective_mass.hpp"
 
 #include <cstdint>
-#include <string_view>
 
 namespace tumble {
 

@@ -43,7 +43,6 @@ struct NoisyCollision {
 /// a step, whatever else was drawn.
 /// \param contact  a contact of one point, whose bodies approach
 /// \param bodies   how they move, one for each body index
-/// \param options  how much
 /// \param random   the stream of this step; see Random::fork()
 /// \return normal and restitution
 /// \see Barzel, Hughes, Wood, "Plausible motion simulation for computer graphics animation", 1996.
@@ -55,8 +54,6 @@ struct NoisyCollision {
 /// Whether a collision is one that is left to chance.
 /// \param contact  its point
 /// \param bodies   how the bodies move; sizes are in `world`
-/// \param world    the bodies
-/// \param options  which
 /// \return false for bodies that part
 [[nodiscard]] bool left_to_chance(const Contact& contact, std::span<const MovingBody> bodies,
                                   const World& world, const NoiseOptions& options);

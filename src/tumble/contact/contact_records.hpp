@@ -12,16 +12,14 @@
 namespace tumble {
 
 /// A contact point with its impulse, as users read it.
-/// \param contact  the contact
-/// \param point    which of its points
-/// \param time     [s] of the pose that it belongs to
+/// \param point  which of its points
+/// \param time   [s] of the pose that it belongs to
 /// \return with normal and friction impulse as they are accumulated in the point
 ContactRecord record_of(const Contact& contact, int point, double time);
 
 /// Records of all points of some contacts.
-/// \param contacts  the contacts
-/// \param time      [s] of the pose that they belong to
-/// \param records   get one for each point
+/// \param time     [s] of the pose that they belong to
+/// \param records  get one for each point
 void add_records(std::span<const Contact> contacts, double time,
                  std::vector<ContactRecord>& records);
 

@@ -2,7 +2,6 @@
 /// \brief Inverse masses at a point, and impulses on a pair.
 #include "tumble/contact/effective_mass.hpp"
 
-#include <cmath>
 #include <limits>
 
 namespace tumble {
@@ -53,8 +52,7 @@ Tangents tangents_of(const Vec3& normal_w) {
   // ones the first.
   int axis = 0;
   normal_w.cwiseAbs().minCoeff(&axis);
-  Tangents t;
-  t.first_w = normal_w.cross(Vec3::Unit(axis)).normalized();
+  Tangents t{.first_w = normal_w.cross(Vec3::Unit(axis)).normalized()};
   t.second_w = normal_w.cross(t.first_w);
   return t;
 }

@@ -7,7 +7,6 @@
 namespace tumble {
 
 /// Velocity of a body's material at a point, \f$v + \omega \times r\f$.
-/// \param body     the body
 /// \param point_w  [m] world frame
 /// \return [m/s] world frame
 inline Vec3 velocity_at(const MovingBody& body, const Vec3& point_w) {
@@ -15,8 +14,6 @@ inline Vec3 velocity_at(const MovingBody& body, const Vec3& point_w) {
 }
 
 /// Velocity of the second body's material as seen from the first one's, at a point.
-/// \param first    the one
-/// \param second   the other
 /// \param point_w  [m] world frame
 /// \return [m/s] world frame, \f$u = v_{second} - v_{first}\f$
 inline Vec3 relative_velocity(const MovingBody& first, const MovingBody& second,
@@ -28,7 +25,6 @@ inline Vec3 relative_velocity(const MovingBody& first, const MovingBody& second,
 ///
 /// \f[ K = \operatorname{diag}(m^{-1}) - [r]_\times\, I_w^{-1}\, [r]_\times \f]
 /// An impulse j at the point changes the velocity there by K j.
-/// \param body     the body
 /// \param point_w  [m] world frame
 /// \return [1/kg] symmetric, positive semidefinite; 0 for an immovable body
 Mat3 inverse_mass_at(const MovingBody& body, const Vec3& point_w);
@@ -36,8 +32,6 @@ Mat3 inverse_mass_at(const MovingBody& body, const Vec3& point_w);
 /// The inverse mass of a pair as felt at a point: the sum of both.
 ///
 /// An impulse j on the second body and -j on the first change u of relative_velocity() by K j.
-/// \param first    the one
-/// \param second   the other
 /// \param point_w  [m] world frame
 /// \return [1/kg] symmetric, positive semidefinite; positive definite as soon as one of the bodies
 ///         is movable along all three axes
@@ -45,8 +39,6 @@ Mat3 inverse_mass_at(const MovingBody& body, const Vec3& point_w);
 Mat3 inverse_mass_at(const MovingBody& first, const MovingBody& second, const Vec3& point_w);
 
 /// The mass of a pair as felt at a point along a direction, \f$1 / (n^{\mathsf T} K n)\f$.
-/// \param first        the one
-/// \param second       the other
 /// \param point_w      [m] world frame
 /// \param direction_w  [-] world frame, length 1
 /// \return [kg] infinite if neither body can be moved that way

@@ -24,7 +24,6 @@ struct EnergyOnTheWay {
 };
 
 /// Velocities at a share of the way from one state of motion to another.
-/// \param from   the one
 /// \param share  [-] 0 to 1
 /// \param to     the other one; velocities in and out
 inline void interpolate(const MovingBody& from, double share, MovingBody& to) {

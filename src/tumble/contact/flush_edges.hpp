@@ -14,8 +14,6 @@ namespace tumble {
 /// How two boxes overlap once they have met: moved together along a direction until they overlap there by
 /// `tolerance::flush_overlap` of their size. If they do so by less than `tolerance::flush_height` along another direction, that
 /// is the height of the edge at which they meet.
-/// \param first     the one
-/// \param second    the other
 /// \param normal_w  [-] from the first to the second
 /// \param gap       [m] between them along the normal
 /// \param size      [m] shortest edge of the two
@@ -28,7 +26,6 @@ namespace tumble {
 /// one so, and would be stopped by it.
 ///
 /// Both are closed along the direction in which they are apart.
-/// \param world     where the bodies are
 /// \param pair      indices of both
 /// \param contacts  of this moment
 /// \return whether the pair can be left out; false if one of them is the ground, which has no edges
@@ -38,7 +35,6 @@ namespace tumble {
                                     std::span<const Contact> contacts);
 
 /// Takes out contacts at such edges.
-/// \param world     where the bodies are
 /// \param contacts  in and out; the others keep their order
 /// \par Cost
 /// One call of separation() for each contact whose points lie on a line.

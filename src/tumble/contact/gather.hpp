@@ -34,9 +34,7 @@ bool touch_pair(const World& world, const IndexPair& pair, const Box& first, con
 
 /// A contact without points: bodies, friction (the geometric mean of the two coefficients) and
 /// restitution (the larger).
-/// \param world  the bodies
-/// \param pair   the two, by index
-/// \return the contact
+/// \param pair  the two, by index
 Contact contact_of(const World& world, const IndexPair& pair);
 
 /// Takes over normal and points.
@@ -62,7 +60,6 @@ struct GatherReport {
 /// Pairs of two immovable bodies are skipped. Friction is the geometric mean of the two bodies'
 /// coefficients, restitution the larger. Each point gets its present approach speed, which Newton's
 /// restitution uses for the whole event; impulses are 0 (see carry_over_impulses()).
-/// \param world       where the bodies are
 /// \param bodies      how they move: one for each body index
 /// \param candidates  pairs by index, first < second, each once, sorted, as a BroadPhase gives them
 /// \param margin      [m] surfaces up to this far apart count as touching, at least 0
@@ -70,7 +67,6 @@ struct GatherReport {
 ///                    then is looked at along the axis that it had. Must not be `out`: keep two
 ///                    lists and swap them
 /// \param out         is overwritten; sorted by id
-/// \return counts
 /// \throws std::invalid_argument if there is not one entry of `bodies` for each body, for a pair
 ///         out of range or out of order, or a margin that is negative or not finite
 /// \par Cost and determinism
@@ -83,7 +79,6 @@ GatherReport gather_contacts(const World& world, std::span<const MovingBody> bod
 /// How far contact has to reach among bodies that a search for collisions has stopped just before
 /// they touch: as far as two of them can come in twice its resolution, and `tolerance::contact_gap`
 /// of their size.
-/// \param world       the bodies
 /// \param bodies      how they move: one for each body index
 /// \param pairs       bodies that are about to touch
 /// \param resolution  [s] of the search

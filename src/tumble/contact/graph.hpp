@@ -36,8 +36,8 @@ void support_edges(std::span<const Contact> contacts, const Vec3& gravity_w,
                    std::vector<SupportEdge>& edges);
 
 /// The direction of a single contact in the sense of support_edges().
-/// \param normal_w   [-] from the first body to the second, length 1, world frame
-/// \param up_w       [-] against gravity, length 1, or 0 without gravity; world frame
+/// \param normal_w  [-] from the first body to the second, length 1, world frame
+/// \param up_w      [-] against gravity, length 1, or 0 without gravity; world frame
 /// \return 1: the first holds up the second; -1: the second holds up the first; 0: neither
 [[nodiscard]] inline int support_direction(const Vec3& normal_w, const Vec3& up_w) {
   const double rise = normal_w.dot(up_w);
@@ -71,16 +71,13 @@ class ContactGraph {
   void build(std::span<const BodyProperties> bodies, std::span<const SupportEdge> edges);
 
   /// How many bodies it was built for.
-  /// \return the length of order()
   [[nodiscard]] int count() const { return static_cast<int>(order_.size()); }
 
   /// How high up a body is.
-  /// \param body its index
   /// \return from 0
   [[nodiscard]] int level(int body) const { return level_[static_cast<std::size_t>(body)]; }
 
   /// The ring of mutual support that a body belongs to, named by its member of smallest index.
-  /// \param body its index
   /// \return an index; its own for a body in no ring
   [[nodiscard]] int component(int body) const { return component_[static_cast<std::size_t>(body)]; }
 

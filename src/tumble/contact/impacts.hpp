@@ -92,8 +92,6 @@ class ImpactSolver {
   ///                  are overwritten by those of this call. Sequential order overwrites approach
   ///                  speeds
   /// \param bodies    how the bodies move, one for each body index; changed
-  /// \param options   see there
-  /// \return what was done
   /// \throws std::invalid_argument for an option out of range or a contact of a body that is not
   ///         there
   ImpactResult resolve(std::span<Contact> contacts, std::span<MovingBody> bodies,

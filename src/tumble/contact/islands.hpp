@@ -66,7 +66,6 @@ class Islands {
   }
 
   /// The island of a body.
-  /// \param body its index
   /// \return from 0; kNone for an immovable body
   [[nodiscard]] int island_of(int body) const { return island_[static_cast<std::size_t>(body)]; }
 

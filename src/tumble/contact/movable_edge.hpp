@@ -10,8 +10,6 @@
 namespace tumble {
 
 /// The shortest edge of the movable bodies of a pair: a thin plate that stays is as good as a thick one.
-/// \param a  the one
-/// \param b  the other
 /// \return [m] infinite if both are immovable
 [[nodiscard]] inline double movable_edge(const BodyProperties& a, const BodyProperties& b) {
   double edge = std::numeric_limits<double>::infinity();
@@ -21,7 +19,6 @@ namespace tumble {
 }
 
 /// The shortest edge of all movable bodies.
-/// \param world  the bodies
 /// \return [m] 0 if none is movable
 [[nodiscard]] inline double movable_edge(const World& world) {
   double edge = 0.0;

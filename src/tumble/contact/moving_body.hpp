@@ -26,7 +26,6 @@ struct MovingBody {
 };
 
 /// The speed of a body's fastest point.
-/// \param body                the body
 /// \param velocity_w          [m/s] of its centre
 /// \param angular_velocity_w  [rad/s]
 /// \return [m/s] an upper bound: |v| + half the diagonal times |omega|
@@ -36,7 +35,6 @@ struct MovingBody {
 }
 
 /// Reads the velocity of a body, \f$v = P/m\f$ and \f$\omega = I_w^{-1} L\f$.
-/// \param body   its constant part
 /// \param state  where it is and its momenta
 /// \return it, not changed
 [[nodiscard]] MovingBody moving_body_of(const BodyProperties& body, const BodyState& state);
@@ -48,8 +46,7 @@ struct MovingBody {
 void store_moving_body(const MovingBody& moving, const BodyProperties& body, BodyState& state);
 
 /// Reads the velocities of all bodies, \f$v = P/m\f$ and \f$\omega = I_w^{-1} L\f$.
-/// \param world  the bodies
-/// \param out    one for each body index, none of them changed. Its capacity is kept
+/// \param out  one for each body index, none of them changed. Its capacity is kept
 void load_moving_bodies(const World& world, std::vector<MovingBody>& out);
 
 /// Writes the velocities of changed bodies back, \f$P = m v\f$ and \f$L = I_w\,\omega\f$.

@@ -131,15 +131,12 @@ class PivotUpdate {
   void clear();
 
   /// Whether a body is carried.
-  /// \param body its index
-  /// \return true if so
   [[nodiscard]] bool carries(int body) const {
     const auto b = static_cast<std::size_t>(body);
     return b < node_of_.size() && node_of_[b] >= 0;
   }
 
   /// On which point a body stands.
-  /// \param body its index
   /// \return [m] from its pivot to its centre at the start of the move, world frame; nothing for a body
   ///         that is not carried, or that all others of its group are carried by
   [[nodiscard]] std::optional<Vec3> arm_w(int body) const;

@@ -46,7 +46,6 @@ struct RepairReport {
 void book(const RepairReport& repaired, StepReport& report);
 
 /// Bounds in which bodies that overlap are found, and those that may once they are moved apart.
-/// \param world   the bodies
 /// \param margin  [m] pairs up to this far apart are found as well, at least 0
 /// \param out     is overwritten, one for each body index; its capacity is kept
 void repair_bounds(const World& world, double margin, std::vector<Bounds>& out);
@@ -87,7 +86,6 @@ class OverlapRepair {
   /// \param pairs  pairs to be looked at, by index, in any order: all that overlap, and all that
   ///               may once bodies move by the depth of the overlaps, so find them with bounds
   ///               that are widened by as much
-  /// \return what it did
   /// \throws std::invalid_argument for an index out of range or a pair of a body with itself
   RepairReport run(World& world, std::span<const IndexPair> pairs);
 

@@ -74,7 +74,6 @@ class SimultaneousImpacts {
   /// \param contacts  what touches. Approach speeds are those of the event; impulses are added to
   ///                  the ones in the points
   /// \param bodies    how the bodies move, one for each body index; changed
-  /// \return how it ended
   /// \throws std::invalid_argument if a contact names a body that is not there
   SimultaneousResult solve(std::span<Contact> contacts, std::span<MovingBody> bodies);
 

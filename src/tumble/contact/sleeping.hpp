@@ -110,7 +110,6 @@ class SleepingRule {
   /// \param dt        [s] above 0
   /// \param slow      by index, not 0: counts as slow whatever its speed, unless it woke in this step;
   ///                  empty: none
-  /// \return what it did
   /// \throws std::invalid_argument for a dt that is not finite and above 0, or if wake_disturbed()
   ///         has not seen these bodies
   SleepReport update(World& world, std::span<const Contact> contacts, const Islands& islands,
@@ -122,7 +121,6 @@ class SleepingRule {
   /// \param islands  of these pairs
   /// \param dt       [s] above 0
   /// \param slow     as in update()
-  /// \return what it did
   /// \throws std::invalid_argument for a dt that is not finite and above 0, or if wake_disturbed()
   ///         has not seen these bodies
   SleepReport update_with_pairs(World& world, std::span<const IndexPair> pairs,

@@ -101,7 +101,6 @@ struct ContactPatch {
 };
 
 /// Position of a point of a patch.
-/// \param patch  the patch
 /// \param first  its first body, where it was at the start of the step
 /// \param point  one of the patch's
 /// \return [m] world frame
@@ -146,7 +145,6 @@ void transfer_impulses(const ContactPatch& before, ContactPatch& patch);
 using PatchImpulses = std::array<double, 3 + ContactPatch::kMostPoints>;
 
 /// Copies the impulses of a patch.
-/// \param patch the patch
 /// \return [N s], [N m s]; 0 for points that are not in use
 [[nodiscard]] PatchImpulses impulses_in(const ContactPatch& patch);
 
@@ -164,7 +162,6 @@ void scale_impulses(double factor, ContactPatch& patch);
 /// Whether a point does not touch. One that rests a slop above the other body stays there, whatever rounding does.
 /// \param gap   [m] of the point
 /// \param slop  [m] smaller gaps count as touching, and those larger by a hundredth
-/// \return true if so
 [[nodiscard]] bool is_apart(double gap, double slop);
 
 /// Sets the least normal velocities of the points for a step.
@@ -178,7 +175,6 @@ void set_targets(double slop, double dt, ContactPatch& patch);
 
 /// Whether no velocity is asked for at any point of a patch: all targets are minus infinity.
 /// \param patch  a patch
-/// \return true if so
 [[nodiscard]] bool asks_for_nothing(const ContactPatch& patch);
 
 /// Corrects the targets where a body turns so far in a step that a point leaves its tangent: by how much
@@ -191,7 +187,6 @@ void correct_targets_for_rotation(const MovingBody& first, const MovingBody& sec
                                   ContactPatch& patch);
 
 /// The relative motion of a patch's bodies.
-/// \param patch   the patch
 /// \param first   how the first body moves
 /// \param second  how the second one does
 /// \return in the patch's frame
@@ -215,7 +210,6 @@ inline Vec3 velocity_at(double along, double across, const Six& motion) {
 }
 
 /// The sum of all impulses of a patch.
-/// \param patch the patch
 /// \return in the patch's frame
 inline Six impulse_of(const ContactPatch& patch) {
   Six sum{patch.along_impulse, patch.across_impulse, 0.0, 0.0, 0.0, patch.twist_impulse};
@@ -229,7 +223,6 @@ inline Six impulse_of(const ContactPatch& patch) {
 
 /// Applies an impulse to the bodies of a patch.
 /// \param impulse  in the patch's frame
-/// \param patch    the patch
 /// \param first    changed unless immovable
 /// \param second   changed unless immovable
 inline void apply(const Six& impulse, const ContactPatch& patch, MovingBody& first,

@@ -39,10 +39,9 @@ bool try_sticking(ContactPatch& patch, PatchUpdate& update) {
   if (!(normal > 0.0)) return false;
   std::array<double, ContactPatch::kMostPoints> p;
   if (!distribute_evenly(impulse, patch, p)) return false;
-  PatchPressure at;
-  at.normal = normal;
-  at.along = -impulse[six::roll_across] / normal;
-  at.across = impulse[six::roll_along] / normal;
+  PatchPressure at{.normal = normal,
+                   .along = -impulse[six::roll_across] / normal,
+                   .across = impulse[six::roll_along] / normal};
   const auto count = static_cast<std::size_t>(patch.count);
   const double limit = patch.friction * normal;
   double friction =

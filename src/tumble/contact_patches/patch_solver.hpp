@@ -58,7 +58,6 @@ struct OverlapCorrection {
 };
 
 /// Corrects a share of the overlap of a patch by displacing its bodies, whose "velocities" are their displacements.
-/// \param patch       the patch
 /// \param slop        [m] overlap that is left
 /// \param share       [-] of the overlap beyond it that is corrected, 0 to 1
 /// \param correction  pushes in and out

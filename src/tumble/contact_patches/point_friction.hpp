@@ -48,7 +48,6 @@ inline Vec3 into_cone(const Vec3& a, double mu) {
 /// How far a patch is from Coulomb's law at each of its points with the impulses of the direct solver: the largest change that one
 /// projection makes, \f$k\,|P_C(\lambda - (u + \mu |u_t|\, n)/k) - \lambda|\f$, u being the motion over its target, and k the inverse
 /// mass of the point. What was added to the patch as a whole since then counts as well.
-/// \param patch   the patch
 /// \param motion  of its bodies
 /// \return [m/s]
 [[nodiscard]] double error_at_points(const ContactPatch& patch, const Six& motion);

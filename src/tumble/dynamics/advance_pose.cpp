@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace tumble {

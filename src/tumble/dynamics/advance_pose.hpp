@@ -60,10 +60,8 @@ std::string_view name_of(RotationRule rule);
 /// first commutes with the others; these are composed as a/2, c, a/2, which is symmetric in time,
 /// of order 2 and keeps the energy within a bound of order dt² for ever. If two moments are equal
 /// one of them is the middle one, at most one other part is left, and the step is exact.
-/// \param body   the body's constant part
 /// \param state  its state; in and out
 /// \param dt     [s] may be negative: back in time
-/// \param rule   how to turn it
 /// \throws std::invalid_argument if the angular momentum is not finite; dt must be finite
 /// \see McLachlan, "Explicit Lie-Poisson integration and the Euler equations", Phys. Rev. Lett.
 ///      71, 1993; Touma, Wisdom, "Lie-Poisson integrators for rigid body dynamics in the solar
@@ -86,10 +84,8 @@ void advance_pose(const BodyProperties& body, BodyState& state, double dt, Rotat
 ///
 /// Holds while a body turns by no more than 3 rad and swings by no more than 4 (dt times Ω and σ, or
 /// B and D); a longer step than that is no simulation.
-/// \param body   the body's constant part
 /// \param state  its state at the start of the arc
 /// \param dt     [s] how long the arc is, at least 0
-/// \param rule   how it is turned
 /// \return [rad/s] 0 for an immovable body
 double angular_speed_bound(const BodyProperties& body, const BodyState& state, double dt,
                            RotationRule rule);

@@ -58,10 +58,7 @@ BodyProperties box_properties(const Vec3& size, double mass, double friction, do
   require::positive(mass, "mass");
   require::not_negative(friction, "friction");
   require::within(restitution, 0.0, 1.0, "restitution");
-  BodyProperties body;
-  body.size = size;
-  body.mass = mass;
-  body.inverse_mass = 1.0 / mass;
+  BodyProperties body{.size = size, .mass = mass, .inverse_mass = 1.0 / mass};
   const Vec3 square = size.cwiseProduct(size);
   body.inertia_b =
       mass / 12.0 * Vec3(square.y() + square.z(), square.x() + square.z(), square.x() + square.y());
@@ -89,9 +86,7 @@ BodyState make_state(const BodyProperties& body, const Vec3& position_w, const Q
   require::unit(orientation_wb, "orientation_wb");
   require::finite(velocity_w, "velocity_w");
   require::finite(angular_velocity_w, "angular_velocity_w");
-  BodyState state;
-  state.position_w = position_w;
-  state.orientation_wb = orientation_wb;
+  BodyState state{.position_w = position_w, .orientation_wb = orientation_wb};
   if (!body.movable()) {
     require::that(velocity_w.isZero(0.0) && angular_velocity_w.isZero(0.0),
                   "an immovable body was given a velocity: expected none");

@@ -30,18 +30,10 @@ struct BodyProperties {
   /// Whether forces move it.
   /// \return false for an immovable body
   [[nodiscard]] bool movable() const { return inverse_mass > 0.0; }
-};
 
-/// Whether two bodies have the same constant parts.
-/// \param a  the one
-/// \param b  the other
-/// \return true if all numbers agree
-[[nodiscard]] inline bool operator==(const BodyProperties& a, const BodyProperties& b) {
-  return a.shape == b.shape && a.size == b.size && a.mass == b.mass &&
-         a.inverse_mass == b.inverse_mass && a.inertia_b == b.inertia_b &&
-         a.inverse_inertia_b == b.inverse_inertia_b && a.friction == b.friction &&
-         a.restitution == b.restitution;
-}
+  /// Compares all numbers.
+  bool operator==(const BodyProperties&) const = default;
+};
 
 /// The state of a body: all that changes. The thesis integrates momenta, and so do we.
 struct BodyState {
@@ -52,8 +44,6 @@ struct BodyState {
 };
 
 /// Whether two states are the same.
-/// \param a  the one
-/// \param b  the other
 /// \return true if all numbers agree; never for a NaN
 [[nodiscard]] inline bool operator==(const BodyState& a, const BodyState& b) {
   return a.position_w == b.position_w && a.orientation_wb.coeffs() == b.orientation_wb.coeffs() &&
@@ -61,7 +51,6 @@ struct BodyState {
 }
 
 /// Whether a state is made of numbers.
-/// \param state  a state
 /// \return false if anything in it is infinite or NaN
 [[nodiscard]] inline bool is_finite(const BodyState& state) {
   return state.position_w.allFinite() && state.orientation_wb.coeffs().allFinite() &&
@@ -75,7 +64,6 @@ struct BodyState {
 /// \param mass         [kg] from tolerance::smallest_mass to largest_mass, and so the moments in kg m²
 /// \param friction     [-] at least 0
 /// \param restitution  [-] 0 to 1
-/// \return its properties
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties box_properties(const Vec3& size, double mass, double friction = 0.5,
                               double restitution = 0.0);
@@ -84,7 +72,6 @@ BodyProperties box_properties(const Vec3& size, double mass, double friction = 0
 /// \param size         [m] full edge lengths, each from tolerance::smallest_edge to largest_value
 /// \param friction     [-] at least 0
 /// \param restitution  [-] 0 to 1
-/// \return its properties
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties fixed_box_properties(const Vec3& size, double friction = 0.5,
                                     double restitution = 0.0);
@@ -92,12 +79,10 @@ BodyProperties fixed_box_properties(const Vec3& size, double friction = 0.5,
 /// The immovable half-space y <= 0.
 /// \param friction     [-] at least 0
 /// \param restitution  [-] 0 to 1
-/// \return its properties
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties ground_properties(double friction = 0.5, double restitution = 0.0);
 
 /// A state from the velocities that people think in.
-/// \param body                the body's constant part
 /// \param position_w          [m] world frame
 /// \param orientation_wb      [-] body to world, length 1
 /// \param velocity_w          [m/s] of the centre of mass, world frame
@@ -111,21 +96,16 @@ BodyState make_state(const BodyProperties& body, const Vec3& position_w,
                      const Vec3& angular_velocity_w = Vec3::Zero());
 
 /// Velocity of the centre of mass, \f$v = P/m\f$.
-/// \param body   the body's constant part
-/// \param state  its state
 /// \return [m/s] world frame; 0 for an immovable body
 Vec3 velocity(const BodyProperties& body, const BodyState& state);
 
 /// Angular velocity, \f$\omega = R\,I_b^{-1} R^{\mathsf T} L\f$.
 ///
 /// It changes while a body tumbles freely although L does not: never store it over a step.
-/// \param body   the body's constant part
-/// \param state  its state
 /// \return [rad/s] world frame; 0 for an immovable body
 Vec3 angular_velocity(const BodyProperties& body, const BodyState& state);
 
 /// Angular momentum of an angular velocity, \f$L = R\,I_b R^{\mathsf T} \omega\f$.
-/// \param body                the body's constant part
 /// \param axes_w              [-] its axes in the world as columns
 /// \param angular_velocity_w  [rad/s] world frame
 /// \return [kg m²/s] world frame
@@ -133,7 +113,6 @@ Vec3 angular_momentum(const BodyProperties& body, const Mat3& axes_w,
                       const Vec3& angular_velocity_w);
 
 /// The same of a body whose axes are not known yet.
-/// \param body                the body's constant part
 /// \param orientation_wb      [-] body to world, length 1
 /// \param angular_velocity_w  [rad/s] world frame
 /// \return [kg m²/s] world frame
@@ -141,35 +120,26 @@ Vec3 angular_momentum(const BodyProperties& body, const Quat& orientation_wb,
                       const Vec3& angular_velocity_w);
 
 /// Inverse inertia in the world frame, \f$R\,I_b^{-1} R^{\mathsf T}\f$.
-/// \param body            the body's constant part
 /// \param orientation_wb  [-] body to world, length 1
 /// \return [1/(kg m²)] symmetric; 0 for an immovable body
 Mat3 inverse_inertia_w(const BodyProperties& body, const Quat& orientation_wb);
 
 /// The shortest edge of two bodies, of which the ground has none.
-/// \param a  one body
-/// \param b  the other
 /// \return [m] infinite for two grounds
 double shortest_edge(const BodyProperties& a, const BodyProperties& b);
 
 /// The body as geometry sees it.
-/// \param body   the body's constant part, a box
-/// \param state  its state
-/// \return the box
+/// \param body  the body's constant part, a box
 inline Box box_of(const BodyProperties& body, const BodyState& state) {
   return Box{state.position_w, state.orientation_wb.toRotationMatrix(), 0.5 * body.size};
 }
 
 /// Axis-aligned bounds of a body, for broad phases.
-/// \param body    the body's constant part
-/// \param state   its state
 /// \param margin  [m] how far to widen, at least 0
 /// \return of the ground: all of the half-space, reaching to infinity
 Bounds bounds_of(const BodyProperties& body, const BodyState& state, double margin = 0.0);
 
 /// Kinetic energy, \f$\tfrac12 P\cdot v + \tfrac12 L\cdot\omega\f$.
-/// \param body   the body's constant part
-/// \param state  its state
 /// \return [J] 0 for an immovable body
 double kinetic_energy(const BodyProperties& body, const BodyState& state);
 

@@ -45,9 +45,7 @@ void World::join(JointKind kind, BodyId first, BodyId second, const Vec3& anchor
                             " joint has no axis");
   require::that(first != second, "a joint of a body with itself: expected two bodies");
   if (name.empty()) name = "joint" + std::to_string(joints_.size() + 1);
-  BodyJoint joint;
-  joint.name = std::move(name);
-  joint.kind = kind;
+  BodyJoint joint{.name = std::move(name), .kind = kind};
   joint.bodies = in_order(first, second);
   bool movable = false;
   std::array<Quat, 2> turned;

@@ -17,31 +17,25 @@ struct Energy {
 };
 
 /// Energy of one body.
-/// \param body       its constant part
-/// \param state      its state
 /// \param gravity_w  [m/s²] world frame
 /// \return \f$\tfrac12 P\cdot v + \tfrac12 L\cdot\omega\f$ and \f$-m\,g\cdot x\f$, which is m g
 ///         times the height above y = 0 for the usual gravity; 0 for an immovable body
 Energy energy_of(const BodyProperties& body, const BodyState& state, const Vec3& gravity_w);
 
 /// Energy of all movable bodies, summed in the order of the ids.
-/// \param world the bodies
 /// \return [J]
 Energy energy_of(const World& world);
 
 /// Energy to lift each movable body by its longest edge, \f$\sum m\,g\,L\f$: with the kinetic energy, the scale of
 /// energy that is gained or lost by mistake.
-/// \param world the bodies
 /// \return [J] 0 without gravity
 double lifting_energy(const World& world);
 
 /// Linear momentum of all movable bodies, summed in the order of the ids.
-/// \param world the bodies
 /// \return [kg m/s] world frame
 Vec3 linear_momentum(const World& world);
 
 /// Angular momentum of all movable bodies about the origin, \f$\sum x \times P + L\f$.
-/// \param world the bodies
 /// \return [kg m²/s] world frame
 Vec3 angular_momentum(const World& world);
 

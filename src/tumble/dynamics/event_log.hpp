@@ -30,7 +30,6 @@ enum class ContactState : std::uint8_t {
 };
 
 /// The name of a contact's state in files.
-/// \param state the state
 /// \return for example "stick"
 constexpr std::string_view name_of(ContactState state) {
   if (state == ContactState::open) return "open";

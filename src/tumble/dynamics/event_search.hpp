@@ -58,11 +58,9 @@ struct FirstEvent {
 class EventSearch {
  public:
   /// Searches.
-  /// \param flight      how bodies move
   /// \param candidates  pairs that may collide, in any order; two immovable bodies are skipped
   /// \param start       [s] start of the interval, not before any valid time
   /// \param end         [s] its end
-  /// \param options     how
   /// \return the first event; valid until the next search
   /// \throws std::invalid_argument for a flight, an interval or options as require_valid() refuses
   ///         them, or a pair that does not name two bodies, the smaller index first

@@ -21,10 +21,8 @@ double micro_step_of(const Flight& flight, int body) {
 
 // The height of the lowest corner: the ground is the first body, so the normal is +y.
 Separation gap_above_ground(const BodyProperties& body, const BodyState& state) {
-  Separation out;
-  out.distance = state.position_w.y() - reach(box_of(body, state), Vec3::UnitY());
-  out.normal_w = Vec3::UnitY();
-  return out;
+  return Separation{.distance = state.position_w.y() - reach(box_of(body, state), Vec3::UnitY()),
+                    .normal_w = Vec3::UnitY()};
 }
 
 // How fast any point of the body can move against its centre until the end.
@@ -87,9 +85,8 @@ Separation gap_between(const BodyProperties& first, const BodyState& first_state
     out.normal_w = -out.normal_w;
     return out;
   }
-  SeparationOptions all_axes;
-  all_axes.prefer_faces = false;
-  all_axes.enough = std::numeric_limits<double>::infinity();
+  SeparationOptions all_axes{.prefer_faces = false,
+                             .enough = std::numeric_limits<double>::infinity()};
   return separation(box_of(first, first_state), box_of(second, second_state), all_axes);
 }
 

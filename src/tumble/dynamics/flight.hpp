@@ -37,16 +37,12 @@ struct Flight {
 /// Whether a body in flight turns at a constant rate, so that its rotation rule takes it to the same
 /// place in any number of steps: all its moments of inertia are equal, or it does not turn. The rule
 /// `rk4` follows no rotation exactly.
-/// \param body   its constant part
-/// \param state  its state
-/// \param rule   how it turns
 /// \return true for cubes, but for rk4, and for an immovable body
 [[nodiscard]] bool turns_evenly(const BodyProperties& body, const BodyState& state,
                                 RotationRule rule);
 
 /// Checks a flight before it is searched.
-/// \param flight  how bodies move
-/// \param start   [s] from which on
+/// \param start  [s] from which on
 /// \throws std::invalid_argument if an array has another length than `bodies`, a number is not
 ///         finite, or a body is valid only after the start
 void require_valid(const Flight& flight, double start);
@@ -55,10 +51,7 @@ void require_valid(const Flight& flight, double start);
 ///
 /// Always from the valid state: a body flown to a time found by a search has the very bits that
 /// the search saw.
-/// \param flight  how bodies move
-/// \param body    its index
-/// \param time    [s] may be before its valid time
-/// \return its state
+/// \param time  [s] may be before its valid time
 /// \throws std::invalid_argument if the angular momentum is not finite
 BodyState state_at(const Flight& flight, int body, double time);
 
@@ -67,37 +60,28 @@ BodyState state_at(const Flight& flight, int body, double time);
 /// For two boxes the largest separation over all 15 axes: above 0 a lower bound of the distance,
 /// below 0 the exact depth. For a box and the ground the height of the lowest corner. Touching is
 /// 0 and does not count as overlap here. Two grounds do not exist.
-/// \param first         constant part of the body with the smaller index
-/// \param first_state   its state
-/// \param second        constant part of the other one
-/// \param second_state  its state
+/// \param first   constant part of the body with the smaller index
+/// \param second  constant part of the other one
 /// \return signed distance [m] and the direction from the first to the second body
 Separation gap_between(const BodyProperties& first, const BodyState& first_state,
                        const BodyProperties& second, const BodyState& second_state);
 
 /// How fast a body's centre moves at a time, without turning it there.
-/// \param flight  how bodies move
-/// \param body    its index
-/// \param time    [s]
+/// \param time  [s]
 /// \return [m/s] world frame
 Vec3 velocity_at(const Flight& flight, int body, double time);
 
 /// What a body's centre is accelerated by.
-/// \param flight  how bodies move
-/// \param body    its index
 /// \return [m/s²] world frame; 0 for an immovable body
 Vec3 acceleration_of(const Flight& flight, int body);
 
 /// How far two bodies in flight are apart at a time.
-/// \param flight  how bodies move
-/// \param pair    the two
-/// \param time    [s]
+/// \param time  [s]
 /// \return as gap_between() has it
 /// \throws std::invalid_argument if an angular momentum is not finite
 Separation gap_at(const Flight& flight, const IndexPair& pair, double time);
 
 /// Bounds of all of a body's way in flight, for finding pairs that may meet.
-/// \param body       its constant part
 /// \param start      its state now
 /// \param gravity_w  [m/s²] world frame
 /// \param time       [s] of the flight
@@ -109,7 +93,6 @@ Bounds bounds_of_flight(const BodyProperties& body, const BodyState& start, cons
                         double time, double reach);
 
 /// Pairs of bodies that may meet in free flight: those whose ways, as wide as their reach, overlap.
-/// \param world        the bodies
 /// \param time         [s] of the flight
 /// \param reach        gets an index; gives that body's reach, see bounds_of_flight() [m]
 /// \param broad_phase  finds them
@@ -133,12 +116,9 @@ void find_flight_pairs(const World& world, double time, const Reach& reach, Broa
 /// Centres close along n by \f$n\cdot(v_1-v_2)\,\tau + \tfrac12 n\cdot(a_1-a_2)\,\tau^2\f$ exactly.
 /// Turning adds at most \f$W_i \rho_i\f$ per body, with angular_speed_bound() of one (micro) step for
 /// W and half the diagonal for ρ.
-/// \param flight    how bodies move
-/// \param pair      the two
 /// \param normal_w  [-] world frame, length 1, from the first to the second
 /// \param time      [s] from which on, not before the valid times
 /// \param end       [s] until when
-/// \return the bound
 ClosingBound closing_bound(const Flight& flight, const IndexPair& pair, const Vec3& normal_w,
                            double time, double end);
 

@@ -13,11 +13,9 @@ namespace tumble {
 ///
 /// \f$x \leftarrow x + \Delta t\,v,\; v \leftarrow v + \Delta t\,g\f$. Order 1: after a time t of
 /// free fall the position is off by \f$-g\,t\,\Delta t/2\f$ (too high), at any dt.
-/// \param body       the body's constant part
 /// \param state      its state; in and out
 /// \param gravity_w  [m/s²] world frame
 /// \param dt         [s] may be negative
-/// \param rule       how to turn it
 /// \throws std::invalid_argument if the angular momentum is not finite
 void step_forward_euler(const BodyProperties& body, BodyState& state, const Vec3& gravity_w,
                         double dt, RotationRule rule);
@@ -27,11 +25,9 @@ void step_forward_euler(const BodyProperties& body, BodyState& state, const Vec3
 /// \f$v \leftarrow v + \Delta t\,g,\; x \leftarrow x + \Delta t\,v\f$. Order 1: after a time t of
 /// free fall the position is off by \f$+g\,t\,\Delta t/2\f$ (too low), at any dt. It is the inverse
 /// of a forward Euler step of -dt.
-/// \param body       the body's constant part
 /// \param state      its state; in and out
 /// \param gravity_w  [m/s²] world frame
 /// \param dt         [s] may be negative
-/// \param rule       how to turn it
 /// \throws std::invalid_argument if the angular momentum is not finite
 void step_semi_implicit(const BodyProperties& body, BodyState& state, const Vec3& gravity_w,
                         double dt, RotationRule rule);
@@ -46,11 +42,9 @@ void step_semi_implicit(const BodyProperties& body, BodyState& state, const Vec3
 /// needs it. The rotation is a flow only where its rule is exact (see RotationRule); elsewhere
 /// flying in two parts differs from flying in one by the error of the rule. So a search evaluates
 /// all poses from one state, the one after the last event, and never continues from a pose tried.
-/// \param body       the body's constant part
 /// \param state      its state; in and out
 /// \param gravity_w  [m/s²] world frame
 /// \param dt         [s] may be negative
-/// \param rule       how to turn it
 /// \throws std::invalid_argument if the angular momentum is not finite
 void fly(const BodyProperties& body, BodyState& state, const Vec3& gravity_w, double dt,
          RotationRule rule);
@@ -59,11 +53,9 @@ void fly(const BodyProperties& body, BodyState& state, const Vec3& gravity_w, do
 ///
 /// Still a continuous function of dt, and closer to a flow: what parts differ by shrinks like the
 /// error of the rule at `micro_step`.
-/// \param body        the body's constant part
 /// \param state       its state; in and out
 /// \param gravity_w   [m/s²] world frame
 /// \param dt          [s] may be negative
-/// \param rule        how to turn it
 /// \param micro_step  [s] above 0; infinity: one step, as fly() does it
 /// \throws std::invalid_argument if micro_step is not above 0 or dt is a million times longer, or
 ///         the angular momentum is not finite

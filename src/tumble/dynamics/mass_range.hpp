@@ -18,7 +18,6 @@ class MassRange {
  public:
   /// Takes a body in.
   /// \param body  any; an immovable one changes nothing
-  /// \param name  its name
   /// \throws std::invalid_argument naming the two bodies, if one would be more than
   ///         tolerance::largest_mass_ratio times as heavy as another one; nothing has changed then
   /// \verified{Masses that are too far apart are refused with both names when the world is made}

@@ -58,8 +58,7 @@ PairCollision bisect_collision(const Flight& flight, const IndexPair& pair, cons
 
 PairCollision advance_to_collision(const Flight& flight, const IndexPair& pair, double start,
                                    double end, const SearchOptions& options) {
-  PairCollision out;
-  out.time = start;
+  PairCollision out{.time = start};
   Separation gap = gap_at(flight, pair, start);
   ++out.evaluations;
   // Bodies that touch and hardly move against each other would be followed resolution by resolution. An
@@ -95,9 +94,7 @@ PairCollision find_collision(const Flight& flight, const IndexPair& pair, double
   require_valid(flight, start);
   require_valid(options, start, end);
 
-  PairCollision out;
-  out.time = start;
-  out.evaluations = 1;
+  PairCollision out{.time = start, .evaluations = 1};
   if (gap_at(flight, pair, start).distance < 0.0) {
     out.status = CollisionStatus::overlapping_at_start;
     return out;

@@ -60,11 +60,8 @@ void require_valid(const SearchOptions& options, double start, double end);
 ///
 /// Overlap is a gap below 0; bodies that touch exactly do not overlap. A pair that rests on one
 /// another and is pressed together "collides" at once, at the start: leave it out, it is a contact.
-/// \param flight   how bodies move
-/// \param pair     the two
-/// \param start    [s] from when, not before their valid times
-/// \param end      [s] until when
-/// \param options  how
+/// \param start  [s] from when, not before their valid times
+/// \param end    [s] until when
 /// \return status, times and work
 /// \throws std::invalid_argument as require_valid() does, for both
 /// \par Cost
@@ -75,8 +72,6 @@ PairCollision find_collision(const Flight& flight, const IndexPair& pair, double
                              const SearchOptions& options = {});
 
 /// Bisection between a time at which two bodies are apart and one at which they overlap.
-/// \param flight   how bodies move
-/// \param pair     the two
 /// \param bracket  [s] apart at low, overlapping at high
 /// \param options  resolution and cap
 /// \return found, or cap_reached
@@ -87,8 +82,6 @@ PairCollision bisect_collision(const Flight& flight, const IndexPair& pair, cons
 ///
 /// A separating direction found at one time stays one for as long as the bodies cannot close their gap
 /// along it, so the time may be advanced by that much and the gap measured again.
-/// \param flight   how bodies move
-/// \param pair     the two
 /// \param start    [s] from when
 /// \param end      [s] until when
 /// \param options  resolution and cap

@@ -28,7 +28,6 @@ inline constexpr std::string_view kPoseMeaning =
 std::span<const PoseUpdate> pose_updates();
 
 /// The name that a user calls it by.
-/// \param update one of the two
 /// \return "separate" or "exponential"
 std::string_view name_of(PoseUpdate update);
 

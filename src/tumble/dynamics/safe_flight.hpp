@@ -22,11 +22,9 @@ namespace tumble {
 /// lies in, or so that it keeps holding both of the edges that it lies between: with the plane that
 /// touches both boxes the first two terms are those of the gap itself, and the search converges like
 /// Newton's method, from the safe side.
-/// \param flight  how bodies move
-/// \param pair    the two
-/// \param gap     their separation at the time, not below 0, as gap_at() gives it
-/// \param time    [s] from which on, not before the valid times
-/// \param end     [s] until when
+/// \param gap   their separation at the time, not below 0, as gap_at() gives it
+/// \param time  [s] from which on, not before the valid times
+/// \param end   [s] until when
 /// \return [s] the longer of this and of the time that closing_bound() allows; infinite: for ever
 /// \verified{Bodies that spin past each other are searched in a few steps}
 double safe_flight(const Flight& flight, const IndexPair& pair, const Separation& gap, double time,

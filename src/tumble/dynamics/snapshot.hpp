@@ -16,7 +16,6 @@ namespace tumble {
 class Snapshot {
  public:
   /// Keeps a copy of both.
-  /// \param world      the bodies
   /// \param technique  what steps them, with its memory
   Snapshot(World world, const Technique& technique)
       : world_(std::move(world)), technique_(technique.clone()) {}
@@ -34,7 +33,6 @@ class Snapshot {
 
   /// Goes on by one step.
   /// \param dt [s] above 0
-  /// \return what was done
   /// \throws std::invalid_argument as the technique does
   StepReport step(double dt) { return technique_->step(world_, dt); }
 

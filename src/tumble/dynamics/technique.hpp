@@ -98,7 +98,6 @@ class Technique {
   [[nodiscard]] virtual std::vector<Diagnostic> diagnostics() const { return {}; }
 
   /// Physical effects of a world that this technique does not simulate.
-  /// \param world the bodies
   /// \return for example "friction"; empty if it simulates everything
   [[nodiscard]] virtual std::vector<std::string> ignores(const World& world) const {
     (void)world;
@@ -120,11 +119,8 @@ class Technique {
  protected:
   Technique() = default;
   /// For clone().
-  /// \param other the original
   Technique(const Technique& other) = default;
   /// For clone().
-  /// \param other the original
-  /// \return this
   Technique& operator=(const Technique& other) = default;
 
   /// The observer.
@@ -143,7 +139,6 @@ class Technique {
 /// Refuses a world with joints for a technique without joints. Simulation calls it before each step; a program that
 /// calls Technique::step() itself should, too.
 /// \param technique  about to step
-/// \param world      the bodies
 /// \throws std::invalid_argument naming the technique, a joint and a technique with joints
 void require_joints_held(const Technique& technique, const World& world);
 

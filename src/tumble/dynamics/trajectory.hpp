@@ -20,7 +20,6 @@ struct Frame {
 };
 
 /// The bodies of a world as a frame.
-/// \param world  the bodies
 /// \return valid until the world changes
 [[nodiscard]] inline Frame frame_of(const World& world) {
   return Frame{world.time(), world.steps(), world.ids(), world.states()};
@@ -55,13 +54,11 @@ class Trajectory {
 
   /// One body in one frame.
   /// \param index  of the frame
-  /// \param id     the body
   /// \return its state, or nothing if it was not there. O(log n)
   /// \throws std::invalid_argument for an index that is no frame
   [[nodiscard]] std::optional<BodyState> state(int index, BodyId id) const;
 
   /// One body over time.
-  /// \param id the body
   /// \return its states in all frames that have it, in order of time; empty if there is none
   [[nodiscard]] std::vector<Sample> samples(BodyId id) const;
 

@@ -39,7 +39,6 @@ class World {
   /// Adds the ground, the immovable half-space y <= 0.
   /// \param friction     [-] at least 0
   /// \param restitution  [-] 0 to 1
-  /// \return its id
   /// \throws std::invalid_argument naming a value out of range, or if there is a ground already
   BodyId add_ground(double friction = 0.5, double restitution = 0.0);
 
@@ -54,14 +53,24 @@ class World {
   ///         that is taken, or a mass too far from others (see MassRange); the world is then as before
   BodyId add(const BodyProperties& body, const BodyState& state, std::string name = "");
 
+  /// Adds a body without a name of its own, see make_state() for where it is and how it moves.
+  /// \param position_w          [m] of its centre of mass
+  /// \param orientation_wb      [-] body to world, length 1
+  /// \param velocity_w          [m/s] of its centre of mass
+  /// \param angular_velocity_w  [rad/s]
+  /// \return as above
+  BodyId add(const BodyProperties& body, const Vec3& position_w,
+             const Quat& orientation_wb = Quat::Identity(), const Vec3& velocity_w = Vec3::Zero(),
+             const Vec3& angular_velocity_w = Vec3::Zero()) {
+    return add(body, make_state(body, position_w, orientation_wb, velocity_w, angular_velocity_w));
+  }
+
   /// Removes a body and its joints. Its id is never given again. Whatever slept on it is the technique's to wake.
-  /// \param id the body
   /// \throws std::invalid_argument if there is no such body
   void remove(BodyId id);
 
   /// Joins two bodies as they are now. A technique holds the joint, or refuses the world: see Technique::holds_joints().
   /// \param kind      what stays free
-  /// \param first     the one body
   /// \param second    the other; one of the two has to be movable
   /// \param anchor_w  [m] the joint's point
   /// \param axis_w    [-] of a hinge, of any length above 0; otherwise 0
@@ -76,13 +85,10 @@ class World {
   [[nodiscard]] std::span<const BodyJoint> joints() const { return joints_; }
 
   /// Whether a joint is between two bodies. Such bodies do not collide. O(log joints)
-  /// \param a  the one
-  /// \param b  the other
   /// \return true for one joint or more
   [[nodiscard]] bool joined(BodyId a, BodyId b) const;
 
   /// Changes a body's momenta by an impulse at a point and wakes it.
-  /// \param id         the body
   /// \param impulse_w  [N s] world frame
   /// \param point_w    [m] where it acts, world frame
   /// \throws std::invalid_argument if there is no such body, it is immovable, or a value is not
@@ -90,7 +96,6 @@ class World {
   void push(BodyId id, const Vec3& impulse_w, const Vec3& point_w);
 
   /// Gives a body new velocities and wakes it.
-  /// \param id                  the body
   /// \param velocity_w          [m/s] world frame
   /// \param angular_velocity_w  [rad/s] world frame
   /// \throws std::invalid_argument if there is no such body, it is immovable, or a value is not
@@ -98,7 +103,6 @@ class World {
   void set_velocity(BodyId id, const Vec3& velocity_w, const Vec3& angular_velocity_w);
 
   /// Puts a body somewhere else and wakes it.
-  /// \param id     the body
   /// \param state  its new state
   /// \throws std::invalid_argument if there is no such body, a value is not finite, an immovable
   ///         body is given momentum, or the body is the ground
@@ -109,36 +113,30 @@ class World {
   [[nodiscard]] int count() const { return static_cast<int>(states_.size()); }
 
   /// The place of a body in the arrays.
-  /// \param id the body
   /// \return its index, or nothing if there is no such body. O(log n)
   [[nodiscard]] std::optional<int> find(BodyId id) const;
 
   /// The place of a body in the arrays.
-  /// \param id the body
   /// \return its index. O(log n)
   /// \throws std::invalid_argument if there is no such body
   [[nodiscard]] int index_of(BodyId id) const;
 
   /// The id of the body called like this.
-  /// \param name its name
   /// \return its id, or nothing
   [[nodiscard]] std::optional<BodyId> find(std::string_view name) const;
 
   /// The place in the arrays of the body called like this.
-  /// \param name its name
   /// \return its index. O(1)
   /// \throws std::invalid_argument if there is no such body, with the closest name
   [[nodiscard]] int index_of(std::string_view name) const;
 
   /// The body called like this, to be read.
-  /// \param name its name
   /// \return see there. O(1)
   /// \throws std::invalid_argument if there is no such body, with the closest name
   /// \verified{A body is read by its name, and a name that is missing is answered with the closest one}
   [[nodiscard]] BodyView body(std::string_view name) const;
 
   /// A body, to be read.
-  /// \param id the body
   /// \return see there. O(log n)
   /// \throws std::invalid_argument if there is no such body
   [[nodiscard]] BodyView body(BodyId id) const;
@@ -163,7 +161,6 @@ class World {
   [[nodiscard]] std::span<SleepState> sleep_states() { return sleep_states_; }
   /// The name of a body.
   /// \param index its place in the arrays
-  /// \return its name
   [[nodiscard]] const std::string& name(int index) const {
     return names_[static_cast<std::size_t>(index)];
   }
@@ -213,7 +210,6 @@ class World {
 class BodyView {
  public:
   /// The body at a place in the arrays.
-  /// \param world  the bodies
   /// \param index  its place, at least 0 and below the count
   BodyView(const World& world, int index) : world_(&world), index_(index) {}
 
@@ -223,7 +219,7 @@ class BodyView {
   [[nodiscard]] const std::string& name() const { return world_->name(index_); }
   /// \return what never changes about it
   [[nodiscard]] const BodyProperties& properties() const { return world_->bodies()[idx(index_)]; }
-  /// \return its pose and momenta
+  /// \return its state
   [[nodiscard]] const BodyState& state() const { return world_->states()[idx(index_)]; }
   /// \return whether it sleeps
   [[nodiscard]] bool asleep() const { return world_->sleep_states()[idx(index_)].asleep; }
@@ -251,12 +247,10 @@ class BodyView {
 };
 
 /// Leaves out pairs of bodies that a joint joins.
-/// \param world  the bodies
 /// \param pairs  by index, in and out, in the same order
 void leave_out_joined(const World& world, std::vector<IndexPair>& pairs);
 
 /// Whether all states are finite; after a step that failed they may not be.
-/// \param world the bodies
 /// \return false if a position, an orientation or a momentum is infinite or NaN
 [[nodiscard]] bool all_finite(const World& world);
 

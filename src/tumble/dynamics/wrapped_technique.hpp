@@ -36,7 +36,6 @@ class WrappedTechnique : public Technique {
   /// \throws std::invalid_argument if it is null
   explicit WrappedTechnique(std::unique_ptr<Technique> inner);
   /// For clone(): the technique inside is cloned.
-  /// \param other the original
   WrappedTechnique(const WrappedTechnique& other)
       : Technique(other), inner_(other.inner_->clone()) {}
   WrappedTechnique& operator=(const WrappedTechnique&) = delete;

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 
 namespace tumble {
 namespace {
@@ -136,9 +135,7 @@ double Glued::meet(double dt, World& world, StepReport& report) {
   require_finite(meeting_.step(*table_of(options_.scheme), dt, joints_, forces_, world, report),
                  dt);
   for (const Contact& contact : meeting_.impacts()) {
-    Event moment;
-    moment.time = world.time();
-    if (report_collision(contact, moment, observer())) ++report.events;
+    if (report_collision(contact, {.time = world.time()}, observer())) ++report.events;
   }
   return dt;
 }

@@ -68,9 +68,6 @@ struct GluedOptions {
   double accuracy = tolerance::rotation_accuracy;
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(GluedOptions& o, Visitor& v) {
   v.word("scheme", o.scheme, words_of(glued_schemes()), "time integration (thesis 6.2)");
@@ -117,7 +114,6 @@ void describe(GluedOptions& o, Visitor& v) {
 class Glued : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for an accuracy out of range, pose=exponential with a scheme of
   ///         several stages, or contacts=collide with one that is not of Runge and Kutta, has steps of its own
   ///         length, or with joints that open
@@ -139,7 +135,6 @@ class Glued : public Technique {
   /// \return empty before the first step, unless find() was called
   [[nodiscard]] std::span<const Joint> joints() const { return joints_; }
   /// Finds the joints now instead of in the first step.
-  /// \param world the bodies
   void find(const World& world);
   /// Number of systems of joint forces solved in all steps: the cost, independent of the machine.
   /// \return from 0

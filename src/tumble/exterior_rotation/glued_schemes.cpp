@@ -3,7 +3,6 @@
 #include "tumble/exterior_rotation/glued.hpp"
 
 #include <array>
-#include <string>
 
 namespace tumble {
 namespace {

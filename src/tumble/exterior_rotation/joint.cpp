@@ -12,7 +12,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <string>
 
 namespace tumble {
 namespace {
@@ -45,10 +44,7 @@ Held held_corners(const Joint& joint) {
 
 Joint joint_of(const World& world, const Contact& contact) {
   require::that(contact.count > 0, "contact without a point: expected at least one to glue");
-  Joint joint;
-  joint.first = contact.first;
-  joint.second = contact.second;
-  joint.count = contact.count;
+  Joint joint{.first = contact.first, .second = contact.second, .count = contact.count};
   const BodyState& first = world.states()[idx(joint.first)];
   const BodyState& second = world.states()[idx(joint.second)];
   for (int k = 0; k < contact.count; ++k) {
@@ -64,10 +60,9 @@ Joint joint_of(const World& world, const Contact& contact) {
 }
 
 Joint joint_of(const World& world, const BodyJoint& made) {
-  Joint joint;
-  joint.first = world.index_of(made.bodies[0]);
-  joint.second = world.index_of(made.bodies[1]);
-  joint.of_scene = true;
+  Joint joint{.first = world.index_of(made.bodies[0]),
+              .second = world.index_of(made.bodies[1]),
+              .of_scene = true};
   double edge = std::numeric_limits<double>::infinity();
   for (const int body : {joint.first, joint.second})
     if (world.bodies()[idx(body)].shape == Shape::box)

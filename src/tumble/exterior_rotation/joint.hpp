@@ -71,7 +71,6 @@ Joint joint_of(const World& world, const Contact& contact);
 ///
 /// Bodies that a joint of the scene joins stick nowhere else. A pair separates if all its points do, faster than tolerance::resting_speed times sqrt(g L) of its
 /// smaller edge L, and times the speed of its faster body.
-/// \param world   the bodies
 /// \param margin  [-] largest gap of touching surfaces, over the shortest edge of the pair
 /// \return sorted by pair
 /// \throws std::invalid_argument for a margin that is negative or not finite
@@ -82,7 +81,6 @@ std::vector<Joint> find_joints(const World& world, double margin);
 /// A joint of the scene: a ball holds a corner, a hinge an edge along its axis, a fixed joint an area.
 ///
 /// Corners lie half the shortest edge of the two bodies from the anchor, so that turning shows in them as distance.
-/// \param world  the bodies
 /// \param joint  one of World::joints()
 /// \return with the degrees of freedom that its kind holds
 Joint joint_of(const World& world, const BodyJoint& joint);
@@ -100,13 +98,11 @@ std::vector<Joint> renewed_joints(std::span<const Joint> joints, std::span<const
                                   const World& world, double margin);
 
 /// The point about which a joint is held: the mean of its corners, of the two of an edge, or the corner.
-/// \param joint   see there
 /// \param states  of all bodies, by index
 /// \return its positions on both bodies
 JointPoint held_point(const Joint& joint, std::span<const BodyState> states);
 
 /// A corner of a joint.
-/// \param joint   see there
 /// \param corner  from 0, below the count
 /// \param states  of all bodies, by index
 /// \return its positions on both bodies
@@ -126,7 +122,6 @@ struct JointGap {
 JointGap gap_of(const Joint& joint, std::span<const BodyState> states);
 
 /// Largest drift of several joints.
-/// \param joints  see there
 /// \param states  of all bodies, by index
 /// \return maxima over all of them
 JointGap gap_of(std::span<const Joint> joints, std::span<const BodyState> states);

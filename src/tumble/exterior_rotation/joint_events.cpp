@@ -7,7 +7,6 @@
 #include "tumble/exterior_rotation/tolerances.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tumble {
 namespace {

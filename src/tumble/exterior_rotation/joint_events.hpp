@@ -25,8 +25,6 @@ struct JointChange {
 /// p, and a side from corner c_k along e_k. If one becomes negative, the centre of pressure has left the
 /// area across that side, and the joint turns about it. An edge holds as long as it is under pressure, and
 /// its area closes when the bodies have turned back. Friction is never exceeded.
-/// \param joints  the joints
-/// \param world   the bodies
 /// \param moving  their motion, by index
 /// \param forces  joint forces for that motion
 /// \param change  receives the change, if the result is negative

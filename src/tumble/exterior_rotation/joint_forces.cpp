@@ -8,8 +8,6 @@
 #include "tumble/dynamics/step_mistakes.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace tumble {
@@ -85,9 +83,7 @@ void JointForces::collect(std::span<const MovingBody> bodies) {
     for (std::size_t i = 0; i < rows_.size();) {
       const std::size_t begin = i;
       const int joint = rows_[begin].joint;
-      JointRows block;
-      block.first = rows_[begin].first;
-      block.second = rows_[begin].second;
+      JointRows block{.first = rows_[begin].first, .second = rows_[begin].second};
       for (; i < rows_.size() && rows_[i].joint == joint; ++i, ++block.count) {
         block.on_second.row(block.count) << rows_[i].along_w.transpose(),
             rows_[i].turn_second_w.transpose();

@@ -38,7 +38,6 @@ class JointForces {
   /// Computes forces that keep all joints closed.
   /// \param world   masses, inertias, gravity
   /// \param bodies  their present motion, one for each body index
-  /// \param joints  the joints
   /// \param rates   receives force and torque of gravity, joints and pushes, one for each index
   /// \param pushes  other forces, and torques about the centres, one for each index; empty: none
   void hold(const World& world, std::span<const MovingBody> bodies, std::span<const Joint> joints,
@@ -49,7 +48,6 @@ class JointForces {
   /// \f$v \leftarrow v - W J^{\mathsf T}(J W J^{\mathsf T})^{-1} J v\f$: the nearest velocities that the joints
   /// permit, in the norm of kinetic energy.
   /// \param bodies  velocities in and out, one for each body index
-  /// \param joints  the joints
   /// \param states  poses of the bodies
   void project(std::span<MovingBody> bodies, std::span<const Joint> joints,
                std::span<const BodyState> states);
@@ -62,7 +60,6 @@ class JointForces {
 
   /// Makes ready for respond().
   /// \param bodies  one for each body index
-  /// \param joints  the joints
   /// \param states  poses of the bodies
   void take(std::span<const MovingBody> bodies, std::span<const Joint> joints,
             std::span<const BodyState> states);
@@ -71,7 +68,6 @@ class JointForces {
   void respond(std::span<Vec6> parts);
 
   /// The wrench of a joint on its second body in the last call.
-  /// \param joint its index
   /// \return [N], [N m] about held_point(), or [N s], [N m s]; 0 if nothing is held
   [[nodiscard]] const Wrench& on_second(int joint) const {
     return pushes_[static_cast<std::size_t>(joint)];

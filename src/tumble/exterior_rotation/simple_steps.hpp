@@ -9,7 +9,6 @@
 #include "tumble/exterior_rotation/joint_forces.hpp"
 
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace tumble {

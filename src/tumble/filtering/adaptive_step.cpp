@@ -65,15 +65,6 @@ AdaptiveStep::AdaptiveStep(std::unique_ptr<Technique> inner, const AdaptiveStepO
   require_valid(options);
 }
 
-AdaptiveStep::AdaptiveStep(const AdaptiveStep& other)
-    : WrappedTechnique(other),
-      options_(other.options_),
-      level_(other.level_),
-      quiet_(other.quiet_),
-      displacements_(other.displacements_),
-      substeps_(other.substeps_),
-      touched_(other.touched_) {}
-
 std::unique_ptr<Technique> AdaptiveStep::clone() const {
   return std::make_unique<AdaptiveStep>(*this);
 }

@@ -8,7 +8,6 @@
 #include "tumble/geometry/bounding_tree.hpp"
 
 #include <memory>
-#include <string_view>
 #include <vector>
 
 namespace tumble {
@@ -62,13 +61,9 @@ struct AdaptiveStepOptions {
 class AdaptiveStep : public WrappedTechnique {
  public:
   /// Wraps a technique.
-  /// \param inner    the technique; its thresholds should depend on the step that it is given
-  /// \param options  limits
+  /// \param inner  the technique; its thresholds should depend on the step that it is given
   /// \throws std::invalid_argument for no technique, or an option out of range
   explicit AdaptiveStep(std::unique_ptr<Technique> inner, const AdaptiveStepOptions& options = {});
-  /// A copy with all memory; its storage begins empty.
-  /// \param other the original
-  AdaptiveStep(const AdaptiveStep& other);
 
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;

@@ -64,29 +64,24 @@ struct ChatterDetectorOptions {
 class ChatterDetector {
  public:
   /// Starts with an empty memory.
-  /// \param options its thresholds
   /// \throws std::invalid_argument for a number out of range
   explicit ChatterDetector(const ChatterDetectorOptions& options = {});
 
   /// Adds the world after a step (and at the start).
-  /// \param world       the bodies
   /// \param in_contact  by index, not 0: touches another body. Sleeping bodies count as touching
   /// \throws std::invalid_argument for another number of bodies in in_contact, or a time before the
   ///         last one
   void add(const World& world, std::span<const char> in_contact);
 
   /// Classification of a body.
-  /// \param id the body
   /// \return Motion::moves also for a body that is absent or immovable
   [[nodiscard]] Motion motion(BodyId id) const;
 
   /// Features of the last W + 1 frames of a body.
-  /// \param id the body
   /// \return with its swing; nothing if it has fewer frames
   [[nodiscard]] std::optional<MotionHistory> history(BodyId id) const;
 
   /// Ratio of a body's swing to its drift, which the rule compares with `share`.
-  /// \param id the body
   /// \return [-] 0 if another condition for chatter fails; infinite without drift
   [[nodiscard]] double swing_ratio(BodyId id) const;
 
@@ -117,7 +112,6 @@ class ChatterDetector {
 };
 
 /// Marks the bodies in contact, from the contacts that a technique reports.
-/// \param world       the bodies
 /// \param contacts    of the last step
 /// \param in_contact  by index: 1 for bodies in a contact, otherwise 0
 void mark_contacts(const World& world, std::span<const ContactRecord> contacts,

@@ -16,9 +16,7 @@ namespace tumble {
 using Corners = std::array<Vec3, 8>;
 
 /// The corners of a body, frame by frame.
-/// \param run    recorded frames
-/// \param id     the body
-/// \param body   its constant part, a box
+/// \param body  its constant part, a box
 /// \return one for each frame that has the body, in order of time
 std::vector<Corners> corner_path(const Trajectory& run, BodyId id, const BodyProperties& body);
 

@@ -57,7 +57,6 @@ class DisplayFrames {
 };
 
 /// Removes the tracks of bodies that are no longer in the world or no longer movable.
-/// \param world   the bodies
 /// \param tracks  each with the `id` of its body; their order is kept
 template <class Track>
 void forget_removed(const World& world, std::vector<Track>& tracks) {

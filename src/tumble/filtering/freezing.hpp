@@ -6,7 +6,6 @@
 #include "tumble/filtering/chatter_detector.hpp"
 
 #include <memory>
-#include <string_view>
 #include <vector>
 
 namespace tumble {
@@ -25,13 +24,11 @@ class CalmBodies {
   explicit CalmBodies(const ChatterDetectorOptions& options = {});
 
   /// Adds the world after a step (and at the start).
-  /// \param world       the bodies
   /// \param in_contact  see ChatterDetector::add()
   /// \throws std::invalid_argument as ChatterDetector::add()
   void add(const World& world, std::span<const char> in_contact);
 
   /// Whether a body is calm.
-  /// \param id the body
   /// \return false also for a body that is absent or immovable
   [[nodiscard]] bool calm(BodyId id) const;
 

@@ -42,7 +42,6 @@ struct OneEuroOptions {
 class OneEuroFilter : public FollowingFilter {
  public:
   /// Makes the filter.
-  /// \param options its parameters
   /// \throws std::invalid_argument for a parameter out of range
   explicit OneEuroFilter(const OneEuroOptions& options = {});
 

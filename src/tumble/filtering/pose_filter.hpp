@@ -53,11 +53,8 @@ class PoseFilter {
  protected:
   PoseFilter() = default;
   /// For clone().
-  /// \param other the original
   PoseFilter(const PoseFilter& other) = default;
   /// For clone().
-  /// \param other the original
-  /// \return this
   PoseFilter& operator=(const PoseFilter& other) = default;
 
   /// Name of the next frame in messages.
@@ -93,7 +90,6 @@ class FilteringObserver : public Observer {
   FilteringObserver(const World& world, const PoseFilter& filter, int every = 1);
 
   /// Adds the world after a step.
-  /// \param world   the bodies
   /// \param report  not used
   /// \throws std::invalid_argument as PoseFilter::add()
   void on_step(const World& world, const StepReport& report) override;

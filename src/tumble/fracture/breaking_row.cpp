@@ -28,9 +28,8 @@ BreakingRow::BreakingRow(World& world, const RowOptions& options, const Vec3& po
   require::positive(options.strength, "strength [Pa]");
   box_size_ = options.size;
   box_size_.x() /= options.boxes;
-  BodyState state;
-  state.position_w = position_w;
-  state.linear_momentum_w = options.density * options.size.prod() * velocity_w;
+  BodyState state{.position_w = position_w,
+                  .linear_momentum_w = options.density * options.size.prod() * velocity_w};
   pieces_.push_back({add(world, options.boxes, state), 0, options.boxes});
 }
 
@@ -84,10 +83,7 @@ void BreakingRow::find_loads(const World& world, const Piece& piece, double dt) 
   std::vector<JointRows> joints;
   std::vector<Vec6> apart;
   for (int k = 0; k + 1 < piece.count; ++k) {
-    JointRows joint;
-    joint.first = k;
-    joint.second = k + 1;
-    joint.count = 6;
+    JointRows joint{.first = k, .second = k + 1, .count = 6};
     joint.on_first << -Mat3::Identity(), cross_of(0.5 * along_w), Mat3::Zero(), -Mat3::Identity();
     joint.on_second << Mat3::Identity(), cross_of(0.5 * along_w), Mat3::Zero(), Mat3::Identity();
     joints.push_back(joint);
@@ -101,10 +97,9 @@ void BreakingRow::find_loads(const World& world, const Piece& piece, double dt) 
   joints_solved_ += piece.count - 1;
   const double area = box_size_.y() * box_size_.z();
   for (int k = 0; k + 1 < piece.count; ++k) {
-    JointLoad load;
-    load.joint = piece.first + k;
-    load.force_b = axes_w.transpose() * apart[idx(k)].head<3>();
-    load.torque_b = axes_w.transpose() * apart[idx(k)].tail<3>();
+    JointLoad load{.joint = piece.first + k,
+                   .force_b = axes_w.transpose() * apart[idx(k)].head<3>(),
+                   .torque_b = axes_w.transpose() * apart[idx(k)].tail<3>()};
     if (options_.rule == RowRule::force) {
       load.share = load.force_b.norm() / (area * options_.strength);
     } else {

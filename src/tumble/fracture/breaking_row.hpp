@@ -50,8 +50,7 @@ struct JointLoad {
 class BreakingRow {
  public:
   /// Adds the row to a world.
-  /// \param world    receives one body
-  /// \param options  see there
+  /// \param world       receives one body
   /// \param position_w  [m] of its middle
   /// \param velocity_w  [m/s]
   /// \throws std::invalid_argument naming the value that is out of range
@@ -59,13 +58,11 @@ class BreakingRow {
               const Vec3& velocity_w = Vec3::Zero());
 
   /// Pushes the row in the next step.
-  /// \param world      the world
   /// \param impulse_w  [N s] world frame
   /// \param along      [-] where: 0 to 1 along the row
   void push(World& world, const Vec3& impulse_w, double along);
 
   /// A step of the technique, and what it breaks.
-  /// \param world      the world
   /// \param technique  with contacts() of the whole step: one that divides steps, as contact_damped does, shows those of the last part
   /// \param dt         [s]
   /// \return the report of the technique; `events` are joints that broke

@@ -57,8 +57,6 @@ class TensileStresses {
 /// is divided by the area that belongs to the node, \f$\tfrac12 V \sum |n \cdot g|\f$, a third of the shadow of its elements along n. Under uniform tension
 /// that is the tension exactly, on every mesh.
 /// \param stresses  of the mesh
-/// \param node      its index
-/// \return see there
 /// \see O'Brien, Hodgins, SIGGRAPH 1999.
 /// \verified{The separation tensor of a bar under tension has the tension as its eigenvalue, along the bar}
 NodeSeparation separation_at(TensileStresses& stresses, int node);
@@ -84,8 +82,6 @@ struct CrackWork {
 ///   `least`, it goes through that end. So no element, and no step, becomes as small as one likes.
 /// - The node becomes two, one for each side.
 /// - Nodes of these elements whose elements no longer hang together by faces become one for each part.
-/// \param mesh      the mesh
-/// \param node      its index
 /// \param normal_w  [-] of the plane, length 1
 /// \param least     [m] smallest height of an element that a split may leave, at rest
 /// \param work      counts are added
@@ -95,7 +91,6 @@ bool crack(ElasticMesh& mesh, int node, const Vec3& normal_w, double least, Crac
 
 /// Cracks all nodes that are pulled apart by more than the strength, the most loaded first. Nodes beside one that has cracked wait for
 /// the next search, since its crack relieves them.
-/// \param mesh     the mesh
 /// \param tension  [Pa] by element, of add_forces(). Only nodes with an element above `tolerance::crack_tension` of the
 ///                 strength are looked at
 /// \param least    [m] smallest height of an element that a split may leave, at rest

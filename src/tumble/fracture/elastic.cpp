@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 
 namespace tumble {
@@ -125,8 +124,7 @@ ElasticMesh elastic_box(const Vec3& size, const std::array<int, 3>& cells,
   require::not_negative(material.psi, "material.psi [Pa s]");
   require::positive(material.strength, "material.strength [Pa]");
   require::finite(center_w, "center_w");
-  ElasticMesh mesh;
-  mesh.material = material;
+  ElasticMesh mesh{.material = material};
   const auto at = [&](const std::array<int, 3>& c) {
     return (c[2] * (cells[1] + 1) + c[1]) * (cells[0] + 1) + c[0];
   };

@@ -8,7 +8,6 @@
 #include "tumble/base/types.hpp"
 
 #include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -34,7 +33,6 @@ struct ElasticMaterial {
 /// \param density   [kg/m³] above 0
 /// \param strength  [Pa] above 0
 /// \param damping   [s] viscous stress over elastic stress at a strain of 1/s, at least 0
-/// \return the material
 /// \throws std::invalid_argument naming the value that is out of range
 /// \verified{A material, a mesh or a step that cannot be is refused with its value}
 ElasticMaterial elastic_material(double young, double poisson, double density, double strength,
@@ -80,7 +78,6 @@ struct ElasticMesh {
 /// \param cells     along each edge, each at least 1
 /// \param material  with density, λ + μ and μ above 0
 /// \param center_w  [m] where its centre is
-/// \return the mesh
 /// \throws std::invalid_argument naming the value that is out of range
 /// \verified{A box of tetrahedra has the mass and the volume of the box, and no face without partner inside}
 ElasticMesh elastic_box(const Vec3& size, const std::array<int, 3>& cells,
@@ -103,22 +100,18 @@ struct ElementStress {
 /// With the deformation F, Green's strain \f$\varepsilon = \tfrac12(F^{\mathsf T}F - 1)\f$ and its rate \f$\dot\varepsilon\f$,
 /// \f[ S = \lambda\,\mathrm{tr}\,\varepsilon\,1 + 2\mu\,\varepsilon + \phi\,\mathrm{tr}\,\dot\varepsilon\,1 + 2\psi\,\dot\varepsilon . \f]
 /// A rotation has no strain, however large it is.
-/// \param mesh     the mesh
 /// \param element  one of its elements
-/// \return see there
 /// \see O'Brien, Hodgins, "Graphical modeling and animation of brittle fracture", SIGGRAPH 1999. Their strain is twice this one.
 /// \verified{A deformation that is the same everywhere is so in each element, and nodes inside feel no force}
 /// \verified{A mesh that is turned and moved has no stress}
 ElementStress stress_of(const ElasticMesh& mesh, const Tetrahedron& element);
 
 /// Adds the forces of all elements: \f$f_i = -V F S\,g_i\f$ with the gradient \f$g_i\f$ of node i.
-/// \param mesh     the mesh
 /// \param forces   [N] by node
 /// \param tension  [Pa] by element: an upper bound of its largest principal stress
 void add_forces(const ElasticMesh& mesh, std::span<Vec3> forces, std::span<double> tension);
 
 /// The forces of small displacements from rest, of which the linear part is kept: \f$-K q\f$.
-/// \param mesh    the mesh
 /// \param q       [m] displacement by node, in the frame of the body at rest
 /// \param forces  [N] by node, is overwritten
 void linear_forces(const ElasticMesh& mesh, std::span<const Vec3> q, std::span<Vec3> forces);
@@ -147,14 +140,11 @@ double element_rate(const Tetrahedron& element, double lambda, double mu, double
 double stable_step(const ElasticMesh& mesh, double extra = 0.0, int from = 0);
 
 /// The time that the fastest wave takes through the smallest height of an element.
-/// \param mesh  the mesh
 /// \return [s]
 double courant_step(const ElasticMesh& mesh);
 
 /// Number of pieces: sets of elements that share nodes.
-/// \param mesh   the mesh
 /// \param piece  by element: its piece, from 0 in the order of their first elements; is overwritten
-/// \return how many
 int pieces_of(const ElasticMesh& mesh, std::vector<int>& piece);
 
 }  // namespace tumble

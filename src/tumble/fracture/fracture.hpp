@@ -10,7 +10,6 @@
 #include "tumble/fracture/outside.hpp"
 
 #include <limits>
-#include <span>
 #include <vector>
 
 namespace tumble {
@@ -55,7 +54,6 @@ class Fracture {
   /// \return the body
   [[nodiscard]] const ElasticMesh& mesh() const { return mesh_; }
   /// The body, to be changed from outside between steps: loads, velocities, nodes that are held.
-  /// \return its mesh
   [[nodiscard]] ElasticMesh& mesh() { return mesh_; }
   /// \return the boxes around it
   [[nodiscard]] const World& rigid() const { return rigid_; }

@@ -125,9 +125,7 @@ NearFace::NearFace(const ElasticMesh& mesh, const Tetrahedron& element, int corn
 Sunk NearFace::sunk(const Vec3& point_w) const {
   Eigen::Vector4d at = gradients_ * (point_w - origin_w_);
   at[0] += 1.0;
-  Sunk sunk;
-  sunk.inside = at.minCoeff() > 0.0 && !turned_;
-  sunk.depth = at[corner_] / steep_;
+  Sunk sunk{.inside = at.minCoeff() > 0.0 && !turned_, .depth = at[corner_] / steep_};
   for (int i = 0; i < 4; ++i) sunk.shares[idx(i)] = at[i];
   return sunk;
 }

@@ -20,7 +20,6 @@ struct OutsideFace {
 };
 
 /// The outside of a mesh, cracks included.
-/// \param mesh  the mesh
 /// \return by element and corner, ascending
 std::vector<OutsideFace> outside_of(const ElasticMesh& mesh);
 
@@ -32,7 +31,6 @@ struct NearPair {
 };
 
 /// Nodes on the outside near elements of other pieces that have a face on the outside.
-/// \param mesh     the mesh
 /// \param piece    by element, see pieces_of()
 /// \param outside  of outside_of()
 /// \param reach    [-] how near, over the extent of an element
@@ -54,13 +52,11 @@ struct Sunk {
 class NearFace {
  public:
   /// Measures the element.
-  /// \param mesh     the mesh
   /// \param element  one of its elements
   /// \param corner   which of its nodes, 0 to 3, is across from the face
   NearFace(const ElasticMesh& mesh, const Tetrahedron& element, int corner);
   /// Measures a point.
   /// \param point_w  [m] the point
-  /// \return see there
   [[nodiscard]] Sunk sunk(const Vec3& point_w) const;
   /// \return [-] of the face, outwards
   [[nodiscard]] const Vec3& normal_w() const { return normal_w_; }

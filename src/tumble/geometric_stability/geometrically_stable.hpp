@@ -13,7 +13,6 @@
 #include <limits>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace tumble {
@@ -53,7 +52,6 @@ struct StabilityVerdict {
   Vec2 corner_xz = Vec2::Zero();  ///< [m] corner: its x and z; otherwise 0
 
   /// Whether the body is geometrically stable.
-  /// \return true if so
   [[nodiscard]] bool stable() const {
     return reason == StabilityReason::immovable || reason == StabilityReason::supported;
   }
@@ -62,7 +60,6 @@ struct StabilityVerdict {
 /// Explanation of a verdict in words.
 /// \param world     names of bodies
 /// \param contacts  contacts of the run that found it
-/// \param verdict   the verdict
 /// \return for example "the corner at x = 1 m, z = 0.5 m is not supported"
 std::string explanation(const World& world, std::span<const Contact> contacts,
                         const StabilityVerdict& verdict);
@@ -102,7 +99,6 @@ class GeometricStability {
       : tolerances_(tolerances) {}
 
   /// Finds the stable bodies.
-  /// \param world     the bodies
   /// \param contacts  all points of all contact areas, with a margin (tolerance::stability_margin)
   /// \param rule      definition; `equilibrium` is treated as `hull`
   /// \param rising    [-] share of m sqrt(gL): a body with more upward momentum is rising
@@ -116,12 +112,10 @@ class GeometricStability {
            std::span<const char> moving = {});
 
   /// Sets the tolerances of supports.
-  /// \param tolerances see there
   void set_tolerances(const StabilityTolerances& tolerances) { tolerances_ = tolerances; }
 
   /// Reason for a body's stability, or against it, in the last run() with a rule other than `off`.
   /// \param world  as in that run
-  /// \param body   its index
   /// \return the first reason against: motion, a side contact, a support, a corner
   [[nodiscard]] StabilityVerdict verdict(const World& world, int body);
 

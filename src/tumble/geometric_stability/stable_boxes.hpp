@@ -74,7 +74,6 @@ class StableBoxes {
                              std::span<const Contact> contacts);
 
   /// Cost of the last find().
-  /// \return its report
   [[nodiscard]] const StableBoxesReport& report() const { return report_; }
 
  private:

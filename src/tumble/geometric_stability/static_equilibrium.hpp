@@ -67,7 +67,6 @@ class StaticEquilibrium {
  public:
   /// Computes forces in equilibrium.
   /// \param world  the bodies; velocities are ignored
-  /// \param task   see there
   /// \return cost, and whether all islands are in equilibrium
   /// \throws std::invalid_argument for a contact or a load of an unknown body, a list of held bodies of
   ///         wrong length, or friction_edges of 1 to 3 or below 0

@@ -14,7 +14,6 @@
 namespace tumble {
 
 /// The corners of the lowest face of a box, seen from above: the face whose normal is nearest to down.
-/// \param box the box
 /// \return [m] x and z of each, in order around the face
 [[nodiscard]] std::array<Vec2, 4> lower_corners(const Box& box);
 
@@ -22,7 +21,6 @@ namespace tumble {
 inline constexpr std::uint8_t kAllCorners = 0b1111;
 
 /// All corners of a box, seen from above.
-/// \param box      the box
 /// \param corners  out: [m] x and z of each, in the order of Box
 void corners_from_above(const Box& box, std::vector<Vec2>& corners);
 

@@ -7,8 +7,6 @@
 #include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 
-#include <algorithm>
-
 namespace tumble {
 namespace {
 

@@ -49,7 +49,6 @@ struct TowerLoad {
 class Towers {
  public:
   /// Finds towers.
-  /// \param world     the bodies
   /// \param contacts  their contacts
   /// \param held      by index, not 0: treated as immovable and never a load. May be empty
   void run(const World& world, std::span<const Contact> contacts, std::span<const char> held);

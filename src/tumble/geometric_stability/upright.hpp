@@ -16,14 +16,11 @@ namespace tumble {
 /// Whether a normal is along the positive or negative y axis.
 /// \param normal_w   [-] length 1, world frame
 /// \param tolerance  [-] largest sine of the angle to the axis
-/// \return true if so
 [[nodiscard]] inline bool is_vertical(const Vec3& normal_w, double tolerance) {
   return std::sqrt(normal_w.x() * normal_w.x() + normal_w.z() * normal_w.z()) <= tolerance;
 }
 
 /// Whether gravity acts along the negative y axis, as the thesis assumes.
-/// \param world  the world
-/// \return true if so
 [[nodiscard]] inline bool gravity_is_down(const World& world) {
   return world.gravity_w.y() < 0.0 && world.gravity_w.x() == 0.0 && world.gravity_w.z() == 0.0;
 }
@@ -32,7 +29,6 @@ namespace tumble {
 ///
 /// A load has this share of itself as a horizontal force on its support, so that a light body under a
 /// heavy one needs a more exact support.
-/// \param world  the bodies
 /// \return [-] tolerance::exact_vertical times the lightest movable mass over the heaviest
 [[nodiscard]] inline double exact_vertical(const World& world) {
   double lightest = std::numeric_limits<double>::infinity(), heaviest = 0.0;
@@ -46,8 +42,6 @@ namespace tumble {
 }
 
 /// Upper bound on the vertical speed of a body's rim as it rises, sinks or tips.
-/// \param body   its constant part
-/// \param state  its state
 /// \return [m/s] at least 0
 [[nodiscard]] inline double tipping_speed(const BodyProperties& body, const BodyState& state) {
   const Vec3 omega_w = angular_velocity(body, state);

@@ -22,24 +22,20 @@ struct Box {
 /// \param center_w        [m] world frame
 /// \param orientation_wb  [-] body to world, length 1
 /// \param size            [m] full edge lengths, each above 0
-/// \return the box
 /// \throws std::invalid_argument for a value that is not finite, a size not above 0 or a
 ///         quaternion that is not of length 1
 Box make_box(const Vec3& center_w, const Quat& orientation_wb, const Vec3& size);
 
 /// One corner of a box.
-/// \param box     the box
 /// \param corner  0 to 7, see Box
 /// \return [m] world frame
 Vec3 corner_of(const Box& box, int corner);
 
 /// All corners of a box.
-/// \param box the box
 /// \return [m] world frame, in the order of Box
 std::array<Vec3, 8> corners_of(const Box& box);
 
 /// How far a box reaches along a direction from its centre: \f$\sum_i h_i |a_i \cdot n|\f$.
-/// \param box          the box
 /// \param direction_w  [-] world frame, need not be of length 1
 /// \return [m] times the length of the direction
 double reach(const Box& box, const Vec3& direction_w);
@@ -51,14 +47,10 @@ struct Bounds {
 };
 
 /// The smallest axis-aligned bounds of a box, widened on all sides.
-/// \param box     the box
 /// \param margin  [m] how far to widen, at least 0
-/// \return the bounds
 Bounds bounds_of(const Box& box, double margin = 0.0);
 
 /// Whether two bounds share a point; touching counts.
-/// \param a  the one
-/// \param b  the other
 /// \return true if they overlap or touch
 inline bool overlap(const Bounds& a, const Bounds& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();

@@ -4,6 +4,7 @@
 
 #include "tumble/geometry/box.hpp"
 
+#include <compare>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -16,23 +17,10 @@ namespace tumble {
 struct IndexPair {
   int first = 0;   ///< the smaller index
   int second = 0;  ///< the larger one
+
+  /// Orders pairs by the first index, then by the second.
+  auto operator<=>(const IndexPair&) const = default;
 };
-
-/// Whether two pairs are the same.
-/// \param a  the one
-/// \param b  the other
-/// \return true if both indices agree
-inline bool operator==(const IndexPair& a, const IndexPair& b) {
-  return a.first == b.first && a.second == b.second;
-}
-
-/// The order of pairs: by the first index, then by the second.
-/// \param a  the one
-/// \param b  the other
-/// \return true if a comes before b
-inline bool operator<(const IndexPair& a, const IndexPair& b) {
-  return a.first != b.first ? a.first < b.first : a.second < b.second;
-}
 
 /// A way to find all pairs of bounds that overlap without trying every pair.
 ///
@@ -70,11 +58,8 @@ class BroadPhase {
  protected:
   BroadPhase() = default;
   /// Copies the memory, for clone().
-  /// \param other the original
   BroadPhase(const BroadPhase& other) = default;
   /// Copies the memory, for clone().
-  /// \param other the original
-  /// \return this
   BroadPhase& operator=(const BroadPhase& other) = default;
 
   /// Finds the pairs in any order; called with bounds that have been checked.
@@ -84,8 +69,6 @@ class BroadPhase {
 
   /// Tests two bodies, counts that, and adds them if they overlap.
   /// \param bounds  one for each body
-  /// \param a       the one body
-  /// \param b       another one
   /// \param out     where to add
   void test(std::span<const Bounds> bounds, int a, int b, std::vector<IndexPair>& out) {
     ++pair_tests_;

@@ -3,7 +3,6 @@
 #include "tumble/geometry/cell_trees.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tumble {
 namespace {

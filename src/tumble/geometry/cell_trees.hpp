@@ -5,7 +5,6 @@
 #include "tumble/geometry/broad_phase.hpp"
 
 #include <array>
-#include <limits>
 
 namespace tumble {
 
@@ -31,7 +30,6 @@ class CellTree : public BroadPhase {
   /// \param bounds  of all bodies
   /// \param bodies  those in the cell
   /// \param extent  the part of space that the cell stands for
-  /// \return the cut
   [[nodiscard]] virtual Cut cut_of(std::span<const Bounds> bounds, std::span<const int> bodies,
                                    const Bounds& extent) = 0;
 

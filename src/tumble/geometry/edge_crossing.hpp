@@ -18,13 +18,9 @@ inline constexpr FeatureId kOtherEnd = 1U << 16U;
 /// \param axis               the axis that it is parallel to
 /// \param next_is_positive   on which side of the next axis it lies
 /// \param after_is_positive  on which side of the axis after that
-/// \return the number
 FeatureId edge_number(std::size_t axis, bool next_is_positive, bool after_is_positive);
 
 /// The name of the point where two edges meet, whichever comes first.
-/// \param edge   the one
-/// \param other  the other
-/// \return the name
 FeatureId name_of(FeatureId edge, FeatureId other);
 
 /// Two edges where they touch.
@@ -38,19 +34,15 @@ struct EdgeContact {
 };
 
 /// Where the edges of two boxes that reach farthest along a direction touch.
-/// \param pair      the boxes
 /// \param normal_w  [-] from the first to the second
 /// \param i         the axis of the first box that its edge is parallel to
 /// \param j         the axis of the second box
-/// \return the point
 EdgeContact cross_edges(const BoxPair& pair, const Vec3& normal_w, int i, int j);
 
 /// Where two boxes are closest, of all edges that reach farthest along a direction; of edges equally close those
 /// that lie beside each other for the longest stretch.
-/// \param pair        the boxes
 /// \param normal_w    [-] from the first to the second
 /// \param difference  [m] edges that reach less far by at most this count, too
-/// \return the point
 EdgeContact nearest_edges(const BoxPair& pair, const Vec3& normal_w, double difference);
 
 }  // namespace tumble

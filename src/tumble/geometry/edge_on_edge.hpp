@@ -17,7 +17,6 @@ namespace tumble {
 ///
 /// Changes nothing where r and s are nearly the same, and where a face is nearly parallel to one of the other box:
 /// neighbours in a wall that share an edge do not push each other diagonally.
-/// \param pair      the boxes
 /// \param margin    [m] points farther apart along the normal are left out
 /// \param manifold  as collide() found it; where the boxes meet in such edges, with both ends of the stretch that
 ///                  these share

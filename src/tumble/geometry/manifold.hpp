@@ -95,8 +95,6 @@ bool collide(const Box& first, const Box& second, double margin, AxisIndex remem
 /// only the first lets the second go in. Of the faces of both boxes the one is taken that looks most along the
 /// normal; the other box's face opposite is clipped to it, and each corner of the clipped face is a point, with its
 /// distance along the normal of the contact. Boxes with plane faces overlap exactly if one of these distances is below 0.
-/// \param first     the first box
-/// \param second    the second box
 /// \param margin    [m] points up to this far apart are added, at least 0
 /// \param manifold  as collide() found it; changed only if its axis is one of two edges and it has one point, which
 ///                  stays the first

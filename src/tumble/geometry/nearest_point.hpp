@@ -13,8 +13,6 @@ namespace tumble {
 /// farther ones are found. For boxes that touch nothing is missed by that; a step that looks ahead would let the
 /// corner in as far as it comes in the step. A manifold without points gets the normal along which the boxes are
 /// farthest apart. Whether they come together there or pass each other, the caller has to find out.
-/// \param first     the first box
-/// \param second    the second box
 /// \param margin    [m] boxes farther apart are left alone, at least 0
 /// \param nearer    [m] by how much the point has to be nearer than all others
 /// \param manifold  as collide() found it, with or without points; in and out

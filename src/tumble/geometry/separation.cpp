@@ -89,9 +89,7 @@ double sign_of(double x) { return std::copysign(1.0, x + 0.0); }
 
 // The normal: the axis, of length 1, in the world, turned so that it points from first to second.
 Separation result(const BoxPair& pair, Candidate best) {
-  Separation out;
-  out.distance = best.distance;
-  out.axis = best.axis;
+  Separation out{.distance = best.distance, .axis = best.axis};
   if (best.axis < 6) {
     const Box& owner = best.axis < 3 ? pair.first : pair.second;
     const Vec3 axis_w = owner.axes_w.col(best.axis % 3);

@@ -7,7 +7,6 @@
 /// vector instructions.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -24,16 +23,13 @@ struct Lanes {
   Two z_;  ///< the third and the padding
 
   /// Three numbers that lie `stride` apart in memory.
-  /// \param p       the first one
   /// \param stride  from each to the next
-  /// \return them
   static Lanes of(const double* p, std::size_t stride = 1) {
     return {Two{p[0], p[stride]}, Two{p[2 * stride], 0.0}};
   }
 
   /// One of them.
   /// \param i 0, 1 or 2
-  /// \return its value
   double operator[](std::size_t i) const {
     double value;
     std::memcpy(&value, reinterpret_cast<const char*>(this) + i * sizeof(double), sizeof(double));
@@ -41,11 +37,9 @@ struct Lanes {
   }
 
   /// The same three in cyclic order from the second: y, z, x.
-  /// \return them
   [[nodiscard]] Lanes next() const { return {Two{xy[1], z_[0]}, Two{xy[0], 0.0}}; }
 
   /// The same three in cyclic order from the third: z, x, y.
-  /// \return them
   [[nodiscard]] Lanes after() const { return {Two{z_[0], xy[0]}, Two{xy[1], 0.0}}; }
 
   /// Their sum.
@@ -54,20 +48,14 @@ struct Lanes {
 };
 
 /// Adds lane by lane.
-/// \param p  the one
-/// \param q  the other
 /// \return p + q
 inline Lanes operator+(const Lanes& p, const Lanes& q) { return {p.xy + q.xy, p.z_ + q.z_}; }
 
 /// Subtracts lane by lane.
-/// \param p  the one
-/// \param q  the other
 /// \return p - q
 inline Lanes operator-(const Lanes& p, const Lanes& q) { return {p.xy - q.xy, p.z_ - q.z_}; }
 
 /// Multiplies lane by lane.
-/// \param p  the one
-/// \param q  the other
 /// \return p q
 inline Lanes operator*(const Lanes& p, const Lanes& q) { return {p.xy * q.xy, p.z_ * q.z_}; }
 
@@ -92,8 +80,6 @@ inline Lanes abs(const Lanes& p) {
 }
 
 /// Which lanes are above those of another.
-/// \param p  the one
-/// \param q  the other
 /// \return bit 0 for the first lane, bit 1 and bit 2 for the others
 inline unsigned above(const Lanes& p, const Lanes& q) {
   const Lanes::Bits bits = (Lanes::Bits(p.xy > q.xy) & Lanes::Bits{1, 2}) |

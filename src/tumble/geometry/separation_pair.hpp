@@ -43,7 +43,6 @@ struct BoxPair {
 };
 
 /// Does the work of separation(const Box&, const Box&, const SeparationOptions&).
-/// \param pair     the two boxes
 /// \param options  how to search; not checked
 /// \return the direction and how far apart the boxes are along it
 Separation separation(const BoxPair& pair, const SeparationOptions& options);

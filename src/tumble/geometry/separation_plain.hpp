@@ -13,8 +13,6 @@ namespace tumble {
 
 /// Gap between the projections of two boxes onto a line.
 /// \tparam Real      the precision of the sums
-/// \param first      one box
-/// \param second     the other one
 /// \param direction  of the line, length 1
 /// \return [m] below 0: how far the boxes overlap along the line
 template <class Real = double>
@@ -30,8 +28,8 @@ Real gap_along(const Box& first, const Box& second, const Eigen::Matrix<Real, 3,
 
 /// The direction across two edges, also where they are almost parallel.
 /// \tparam Vec  the precision of the sums
-/// \param p     along one edge, length 1
-/// \param q     along the other, length 1
+/// \param p  along one edge, length 1
+/// \param q  along the other, length 1
 /// \return their cross product; its length is the sine of their angle
 template <class Vec>
 Vec across(const Vec& p, const Vec& q) {
@@ -44,8 +42,6 @@ Vec across(const Vec& p, const Vec& q) {
 ///
 /// The idea of separation(), without its speed and its preferences; tests compare the two.
 /// \tparam Real     the precision of the sums
-/// \param first     one box
-/// \param second    the other one
 /// \param parallel  [-] sine of the angle below which two edges count as parallel. Their cross product
 ///                  has no direction, and the faces decide alone
 /// \return [m] above 0: the boxes are apart; below 0: the shortest translation that parts them

@@ -4,8 +4,6 @@
 
 #include "tumble/base/error.hpp"
 
-#include <cmath>
-
 namespace tumble {
 
 SignedDistance signed_distance(const Box& box, const Vec3& point_w) {

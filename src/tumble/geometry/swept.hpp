@@ -9,10 +9,6 @@
 #include "tumble/geometry/box.hpp"
 #include "tumble/geometry/separation.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace tumble {
 
 /// How a sweep ended.

@@ -41,14 +41,11 @@ struct CollideResult {
 class Collide {
  public:
   /// Lets two bodies collide.
-  /// \param world        the bodies
   /// \param collision    the pair, its normal and point (or points, which are resolved together);
   ///                     gets the impulses added
   /// \param restitution  [-] e, -1 to 1
-  /// \param gravity      see there
   /// \param dt           [s] above 0
   /// \param bodies       velocities and marks; changed
-  /// \return what it did
   CollideResult run(const World& world, Contact& collision, double restitution,
                     TemporaryGravity gravity, double dt, DampedBodies& bodies);
 

@@ -24,16 +24,6 @@ Damped::Damped(const DampedOptions& options)
   check(options.numbers);
 }
 
-Damped::Damped(const Damped& other)
-    : Technique(other),
-      options_(other.options_),
-      stable_ids_(other.stable_ids_),
-      stable_left_(other.stable_left_),
-      stable_under_w_(other.stable_under_w_),
-      sleeping_(other.sleeping_),
-      gatherer_(options_.normals, options_.points),
-      areas_(NormalRule::separation, PointRule::area) {}
-
 std::unique_ptr<Technique> Damped::clone() const { return std::make_unique<Damped>(*this); }
 
 std::vector<std::string> Damped::ignores(const World& world) const {
@@ -186,8 +176,7 @@ void Damped::end(World& world, double dt, StepReport& report) {
 
 // Collisions of the first stage, for observers.
 void Damped::report_collisions(const World& world, double dt, StepReport& report) {
-  Event moment;
-  moment.time = world.time() + dt;
+  Event moment{.time = world.time() + dt};
   report.events += static_cast<std::int64_t>(pushed_.count());
   for (std::size_t k = 0; k < pushed_.count(); ++k)
     report_collision(pushed_[k], moment, observer());

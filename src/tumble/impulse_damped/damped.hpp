@@ -38,9 +38,6 @@ struct DampedOptions {
   std::uint64_t seed = 1;                           ///< of randomness
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(DampedOptions& o, Visitor& v) {
   v.word("normals", o.normals,
@@ -110,12 +107,8 @@ void describe(DampedOptions& o, Visitor& v) {
 class Damped : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a number of passes below 0, or constants out of range
   explicit Damped(const DampedOptions& options = {});
-  /// A copy with all memory; its storage begins empty.
-  /// \param other the original
-  Damped(const Damped& other);
 
   [[nodiscard]] std::string_view name() const override { return "damped"; }
   StepReport step(World& world, double dt) override;

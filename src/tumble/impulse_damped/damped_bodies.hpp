@@ -24,7 +24,6 @@ struct DampedBodies {
   std::vector<char> touched;         ///< by index: has had a contact interaction in this step
 
   /// Reads velocities; nothing is touched yet.
-  /// \param world   the bodies
   /// \param firmly  by index: whether it is geometrically stable
   void load(const World& world, std::span<const char> firmly);
 
@@ -32,27 +31,21 @@ struct DampedBodies {
   /// that they have and the gravity of one step.
   /// \param world  the bodies at the step's start
   /// \param dt     [s] above 0
-  /// \param rule   how bodies turn
   /// \return how many bodies were advanced
   int predict(const World& world, double dt, RotationRule rule);
 
   /// Takes the mark of stability from bodies that are touched from the side (thesis 5.4: all
   /// normals of a stable body's contacts are along the y axis).
-  /// \param world       the bodies
   /// \param collisions  what overlaps
   void clear_tilted(const World& world, std::span<const Contact> collisions);
 
   /// Whether a contact has a movable body that is geometrically stable. Its normal is along the y
   /// axis, or the mark would have been taken: see clear_tilted().
-  /// \param world    the bodies
   /// \param contact  two of them
-  /// \return true if so
   [[nodiscard]] bool holds_firm(const World& world, const Contact& contact) const;
 
   /// Makes a body easy to move as it is by itself, or, if it is stable, sideways and about the
   /// vertical only: an upright box that cannot sink, rise or tip.
-  /// \param world  the bodies
-  /// \param body   its index
   void set_ease(const World& world, int body);
 };
 

@@ -25,7 +25,6 @@ class PushedPairs {
   [[nodiscard]] std::size_t count() const { return order_.size(); }
   /// A pair.
   /// \param place  in the order of ids, from 0
-  /// \return its contact
   [[nodiscard]] const Contact& operator[](std::size_t place) const {
     return contacts_[order_[place].contact];
   }

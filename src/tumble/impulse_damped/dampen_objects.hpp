@@ -31,7 +31,6 @@ std::vector<Word<DampingParts>> damping_words();
 
 /// Parts of the damping by their names.
 /// \param names  "all", "none", or names joined by +, such as "scale+align"
-/// \return the parts
 /// \throws std::invalid_argument for an unknown name, with the list of choices
 DampingParts damping_parts_from(std::string_view names);
 
@@ -82,8 +81,6 @@ class ObjectDamping {
   /// \param numbers  ε and k
   /// \param parts    which parts are used
   /// \param dt       [s] above 0
-  /// \param rotation how bodies turn
-  /// \return what it did
   DampingReport run(World& world, std::span<const char> touched, const DampedNumbers& numbers,
                     const DampingParts& parts, double dt, RotationRule rotation);
 

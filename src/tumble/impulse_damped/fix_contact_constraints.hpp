@@ -45,7 +45,6 @@ class FixContactConstraints {
   /// \param contacts  the overlaps: all points of each contact area
   /// \param numbers   ε1
   /// \param dt        [s] above 0
-  /// \return what it did
   FixReport run(World& world, std::span<const Contact> contacts, const DampedNumbers& numbers,
                 double dt);
 

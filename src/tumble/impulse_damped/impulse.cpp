@@ -29,14 +29,6 @@ Impulse::Impulse(const ImpulseOptions& options) : options_(options), push_(optio
   require::not_negative(options.sticky, "sticky");
 }
 
-Impulse::Impulse(const Impulse& other)
-    : Technique(other),
-      options_(other.options_),
-      push_(other.options_.points),
-      sleeping_(other.sleeping_),
-      kept_(other.kept_),
-      records_(other.records_) {}
-
 std::unique_ptr<Technique> Impulse::clone() const { return std::make_unique<Impulse>(*this); }
 
 StepReport Impulse::step(World& world, double dt) {
@@ -159,9 +151,8 @@ bool Impulse::collide_deepest_first(const World& world, double dt, StepReport& r
     if (!pair.overlaps) continue;
     const double speed = least_normal_speed(pair.contact, bodies_.moving());
     const StickyScale scale{world.gravity_w.norm(), pair.size, dt};
-    StickyOptions sticky;
-    sticky.rule = options_.sticky > 0.0 ? StickyRule::speed : StickyRule::off;
-    sticky.threshold = options_.sticky;
+    StickyOptions sticky{.rule = options_.sticky > 0.0 ? StickyRule::speed : StickyRule::off,
+                         .threshold = options_.sticky};
     const double restitution = sticky_restitution(pair.contact.restitution, speed, scale, sticky);
     const PushResult push = push_.collide(pair, bodies_.moving(), restitution, dt);
     if (!push.pushed) continue;
@@ -175,8 +166,7 @@ bool Impulse::collide_deepest_first(const World& world, double dt, StepReport& r
 
 // One event for each pair that collided; then impulses are counted anew, those of contacts.
 void Impulse::report_collisions(const World& world, StepReport& report) {
-  Event moment;
-  moment.time = world.time();
+  Event moment{.time = world.time()};
   for (const int number : pairs_.all()) {
     Contact& contact = pairs_[number].contact;
     if (!report_collision(contact, moment, observer())) continue;

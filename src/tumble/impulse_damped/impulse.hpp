@@ -50,9 +50,6 @@ struct ImpulseOptions {
   PoseUpdate pose = PoseUpdate::separate;           ///< how bodies that push each other are moved
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(ImpulseOptions& o, Visitor& v) {
   v.word("shock", o.shock,
@@ -132,12 +129,8 @@ void describe(ImpulseOptions& o, Visitor& v) {
 class Impulse : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a count below 1 or a negative threshold
   explicit Impulse(const ImpulseOptions& options = {});
-  /// A copy with all memory; its storage begins empty.
-  /// \param other the original
-  Impulse(const Impulse& other);
 
   [[nodiscard]] std::string_view name() const override { return "impulse"; }
   StepReport step(World& world, double dt) override;

@@ -30,16 +30,14 @@ namespace tumble {
 class ImpulseBodies {
  public:
   /// Reads all velocities and predicts all poses.
-  /// \param world  the bodies at the start of the step
-  /// \param dt     [s] h, above 0
-  /// \param rule   how bodies turn
+  /// \param world   the bodies at the start of the step
+  /// \param dt      [s] h, above 0
   /// \param pushed  the pushes when the step before ended; empty: no body is carried
   void begin(const World& world, double dt, RotationRule rule,
              std::span<const PushedPair> pushed = {});
 
   /// Predicts where a body will be, after its velocity was changed.
   /// \param world  as for begin(); poses are still those of the start
-  /// \param body   its index
   void predict(const World& world, int body);
 
   /// Predicts all that are carried anew, as far as the bodies below them have changed.
@@ -51,23 +49,20 @@ class ImpulseBodies {
   void add_gravity(World& world);
 
   /// Makes a body as heavy as the ground, until thaw().
-  /// \param body its index
   void freeze(int body);
 
   /// Gives all bodies their own mass and inertia back.
-  /// \param world the bodies
   void thaw(const World& world);
 
   /// Writes the velocities into the world and moves all bodies with them.
-  /// \param world the bodies; states in and out
-  /// \param energy [J] what carried bodies have got by not going straight is added
+  /// \param world   the bodies; states in and out
+  /// \param energy  [J] what carried bodies have got by not going straight is added
   /// \return how many bodies were moved
   int move(World& world, double& energy);
 
   /// Energy that impulses of contacts are not booked with: they count at velocities of half a step of gravity earlier,
   /// and bodies move with those of the step's end. For one that was pushed, with v_c after collisions and v' at the
   /// end, m h g·(v_c - v') / 2; what rests, slides along or flies has none.
-  /// \param world the bodies
   /// \return [J] after move()
   [[nodiscard]] double moved_against_gravity(const World& world) const;
 
@@ -78,7 +73,6 @@ class ImpulseBodies {
   /// \return one for each body index
   [[nodiscard]] std::span<const BodyState> predicted() const { return predicted_; }
   /// How often a body was predicted in this step.
-  /// \param body its index
   /// \return from 1; another number means another pose
   [[nodiscard]] int version(int body) const { return version_[static_cast<std::size_t>(body)]; }
   /// How often any body was predicted in this step.

@@ -48,7 +48,6 @@ class ImpulsePairs {
   void begin(double margin);
 
   /// Finds all pairs that overlap or touch at the predicted poses.
-  /// \param world     the bodies
   /// \param bodies    their predicted poses
   /// \param sleeping  pairs to leave out (SleepingRule::needs_test()); nullptr: none
   /// \return their numbers, ascending by the indices of the bodies; valid until the next call
@@ -56,7 +55,6 @@ class ImpulsePairs {
                       const SleepingRule* sleeping);
 
   /// Looks at one pair again, if a body of it has got another predicted pose.
-  /// \param world   the bodies
   /// \param bodies  their predicted poses
   /// \param number  of the pair
   /// \return the pair as it is now

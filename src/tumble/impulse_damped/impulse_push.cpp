@@ -8,7 +8,6 @@
 #include "tumble/impulse_damped/tolerances.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tumble {
 
@@ -134,8 +133,7 @@ PushResult ImpulsePush::push(ImpulsePair& pair, std::span<MovingBody> bodies, do
   MovingBody& second = bodies[idx(work_.second)];
   const MovingBody first_before = first;
   const MovingBody second_before = second;
-  PushResult result;
-  result.pivots = solve(bodies);
+  PushResult result{.pivots = solve(bodies)};
   if (share < 1.0) {
     const auto part = [share](const MovingBody& before, MovingBody& body) {
       const Vec3 spin_w = body.angular_velocity_w - before.angular_velocity_w;

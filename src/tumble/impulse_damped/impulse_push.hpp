@@ -52,7 +52,6 @@ class ImpulsePush {
   /// \param bodies       how they move
   /// \param restitution  [-] 0 to 1
   /// \param dt           [s] of the step
-  /// \return what it did
   PushResult collide(ImpulsePair& pair, std::span<MovingBody> bodies, double restitution,
                      double dt);
 
@@ -70,7 +69,6 @@ class ImpulsePush {
   /// \param dt      [s] of the step
   /// \param ahead_w [m/s] how far the velocities are ahead of those at which the work of the
   ///                impulse is reported: half of what gravity gave in this step
-  /// \return what it did
   PushResult hold(ImpulsePair& pair, std::span<MovingBody> bodies, double share, double dt,
                   const Vec3& ahead_w = Vec3::Zero());
 

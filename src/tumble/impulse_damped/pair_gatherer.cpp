@@ -10,10 +10,7 @@
 #include "tumble/impulse_damped/tolerances.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
-#include <string>
 
 namespace tumble {
 namespace {

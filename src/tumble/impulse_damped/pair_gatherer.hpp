@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 namespace tumble {
@@ -69,7 +68,6 @@ class PairGatherer {
   /// \param sleeping  pairs to leave out besides (SleepingRule::needs_test()); nullptr: none
   /// \param margin    [m] surfaces up to this far apart count as touching, at least 0
   /// \param out       is overwritten; sorted by id
-  /// \return counts
   /// \throws std::invalid_argument for spans of the wrong length or a margin below 0
   PairReport gather(const World& world, std::span<const BodyState> last,
                     std::span<const BodyState> now, const SleepingRule* sleeping, double margin,

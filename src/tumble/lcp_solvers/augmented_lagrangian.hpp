@@ -63,7 +63,6 @@ struct AugmentedLagrangianOptions {
 class AugmentedLagrangianSolver final : public LcpSolver {
  public:
   /// Makes a solver.
-  /// \param options see AugmentedLagrangianOptions
   /// \throws std::invalid_argument for an option out of its range
   explicit AugmentedLagrangianSolver(const AugmentedLagrangianOptions& options = {});
 

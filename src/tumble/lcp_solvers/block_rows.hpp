@@ -51,13 +51,13 @@ class BlockRows {
   [[nodiscard]] const std::vector<Vec6>& parts() const { return part_; }
 
   /// y_i = g_i·z for all rows.
-  /// \param z (blocks) accelerations
-  /// \param y (n) relative accelerations
+  /// \param z  (blocks) accelerations
+  /// \param y  (n) relative accelerations
   void project(const std::vector<Vec6>& z, std::span<double> y) const;
 
   /// z = Σ f_i g_i.
-  /// \param f (n) forces
-  /// \param z (blocks) what they do to the bodies
+  /// \param f  (n) forces
+  /// \param z  (blocks) what they do to the bodies
   void gather(std::span<const double> f, std::vector<Vec6>& z) const;
 
   /// \return [-] multiplications of project(), or of gather()

@@ -41,7 +41,6 @@ struct GaussSeidelOptions {
 class GaussSeidelSolver final : public LcpSolver {
  public:
   /// Makes a solver.
-  /// \param options see GaussSeidelOptions
   /// \throws std::invalid_argument for an option out of its range
   explicit GaussSeidelSolver(const GaussSeidelOptions& options = {});
 

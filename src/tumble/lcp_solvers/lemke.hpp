@@ -54,7 +54,6 @@ struct LemkeOptions {
 /// \verified{All exact solvers find one motion in 10000 contact problems with redundant contacts}
 class LemkeSolver : public LcpSolver {
  public:
-  /// \param options what can be chosen
   /// \throws std::invalid_argument if the cap or the slack is negative
   explicit LemkeSolver(const LemkeOptions& options = {});
 

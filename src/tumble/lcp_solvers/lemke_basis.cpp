@@ -6,7 +6,6 @@
 #include "tumble/base/tolerances.hpp"
 #include "tumble/lcp_solvers/tolerances.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>

@@ -20,15 +20,13 @@ class MassRoots {
   void take(const LcpFactors& factors);
 
   /// The part of a body in a row of J S.
-  /// \param body       its index
   /// \param linear_w   [-] the body's part of the row of J
   /// \param angular_w  [m] ditto
   /// \return [kg^-1/2] the part of the row of J S
   [[nodiscard]] Vec6 part(int body, const Vec3& linear_w, const Vec3& angular_w) const;
 
   /// S z.
-  /// \param body  its index
-  /// \param z     [m kg^1/2 / s²] its acceleration in the root of masses
+  /// \param z  [m kg^1/2 / s²] its acceleration in the root of masses
   /// \return [m/s², rad/s²] \f$\dot v\f$, \f$\dot\omega\f$ in the world frame
   [[nodiscard]] Vec6 acceleration(int body, const Vec6& z) const;
 
@@ -38,12 +36,10 @@ class MassRoots {
 };
 
 /// Refuses factors that make no sense, or of which there are not as many rows as A has.
-/// \param problem  the problem
 /// \throws std::invalid_argument as require_valid(), or naming both numbers
 void require_factors_fit(const LcpProblem& problem);
 
 /// Refuses factors whose product has another diagonal than A.
-/// \param problem  the problem
 /// \param row      from 0 to n - 1
 /// \param product  [1/kg] the diagonal entry of J W Jᵀ
 /// \throws std::invalid_argument naming the row and both numbers

@@ -2,7 +2,6 @@
 /// \brief Equalities as contacts from both sides.
 #include "tumble/lcp_solvers/twins.hpp"
 
-#include <algorithm>
 #include <cassert>
 
 namespace tumble {

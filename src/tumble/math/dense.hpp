@@ -15,7 +15,6 @@ using VecRef = Eigen::Ref<const VecX>;  ///< a vector or a part of one, not copi
 
 /// Shows a std::vector as an Eigen vector, without copying.
 /// \param v must outlive the view
-/// \return the view
 inline Eigen::Map<const VecX> view(const std::vector<double>& v) {
   return {v.data(), static_cast<Eigen::Index>(v.size())};
 }
@@ -31,9 +30,9 @@ inline Eigen::Map<const VecX> view(const std::vector<double>& v) {
 void add_column(double s, const MatRef& A, int column, std::span<double> y);
 
 /// y = A x.
-/// \param A (m×n) the matrix
-/// \param x (n) the factor
-/// \param y (m) the product; must not overlap x
+/// \param A  (m×n) the matrix
+/// \param x  (n) the factor
+/// \param y  (m) the product; must not overlap x
 void multiply(const MatRef& A, std::span<const double> x, std::span<double> y);
 
 /// The Cholesky factor of a part of a symmetric matrix that grows and shrinks by one index.
@@ -116,8 +115,8 @@ class OrthogonalFactor {
   void remove(const MatRef& G, int place);
 
   /// Finds x that makes |G(:, P) x - d| least.
-  /// \param d (m) the target
-  /// \param x (|P|) the answer, in the order of indices()
+  /// \param d  (m) the target
+  /// \param x  (|P|) the answer, in the order of indices()
   void solve(const VecRef& d, std::span<double> x);
 
   /// The work done, whatever the machine.

@@ -35,11 +35,9 @@ template <class Problem>
 class ProjectedDescent {
  public:
   /// Steps down.
-  /// \param problem  see there
-  /// \param p        where to start, allowed; and the answer
-  /// \param wanted   length of a step that is small enough, at least 0
-  /// \param budget   steps at most, at least 0
-  /// \return how far it came
+  /// \param p       where to start, allowed; and the answer
+  /// \param wanted  length of a step that is small enough, at least 0
+  /// \param budget  steps at most, at least 0
   DescentReport solve(Problem& problem, std::span<double> p, double wanted, int budget) {
     DescentReport report;
     prepare(problem, p, report);

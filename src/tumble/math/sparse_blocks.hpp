@@ -17,15 +17,10 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;  ///< and what couples two bodies
 struct BlockPair {
   int first = 0;   ///< the one
   int second = 0;  ///< another one
-};
 
-/// Whether two pairs are the same.
-/// \param a  the one
-/// \param b  the other
-/// \return true if both agree
-inline bool operator==(const BlockPair& a, const BlockPair& b) {
-  return a.first == b.first && a.second == b.second;
-}
+  /// Compares both.
+  bool operator==(const BlockPair&) const = default;
+};
 
 /// A symmetric positive definite matrix of 6×6 blocks, few of which are not 0, and its factors.
 ///

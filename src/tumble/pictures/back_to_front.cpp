@@ -49,10 +49,7 @@ Partition::Range Partition::range_of(const FacePart& part, const FacePart& plane
 
 // The side of a part in front of a plane (sign 1) or behind it (-1).
 FacePart side_of(const FacePart& part, const FacePart& plane, double sign) {
-  FacePart out;
-  out.normal_w = part.normal_w;
-  out.face = part.face;
-  out.cut = true;
+  FacePart out{.normal_w = part.normal_w, .face = part.face, .cut = true};
   for (std::size_t k = 0; k < part.corners_w.size(); ++k) {
     const Vec3& a = part.corners_w[k];
     const Vec3& b = part.corners_w[(k + 1) % part.corners_w.size()];

@@ -63,11 +63,7 @@ Camera camera_for(std::span<const Vec3> points_w, const Vec3& direction_w, doubl
   require::that(!points_w.empty(), "no points: expected at least two");
   require::finite(direction_w, "direction_w");
   require::within(air, 0.0, 0.4, "air");
-  Camera camera;
-  camera.width = width;
-  camera.height = height;
-  camera.target_w = Vec3::Zero();
-  camera.eye_w = direction_w;
+  Camera camera{.eye_w = direction_w, .target_w = Vec3::Zero(), .width = width, .height = height};
   const Projection axes(camera);
 
   // Across and upwards; the direction that needs more space determines the distance of the eye.

@@ -32,7 +32,6 @@ Camera camera_for(std::span<const Vec3> points_w, const Vec3& direction_w, doubl
 class Projection {
  public:
   /// Makes the projection.
-  /// \param camera the camera
   /// \throws std::invalid_argument for values that are not finite, a line of sight that is vertical
   ///         or of length 0, a field of view outside 0.01 to 3 rad, or a size not above 0
   explicit Projection(const Camera& camera);

@@ -29,7 +29,6 @@ struct Film {
 /// \param width        [px] of the film
 /// \param height       [px] of the film
 /// \param floor        whether the floor y = 0 is drawn
-/// \return the film
 /// \throws std::invalid_argument naming the value that is out of range
 Film film_of(std::vector<FilmFrame> frames, const Vec3& direction_w, int width, int height,
              bool floor);

@@ -15,7 +15,6 @@ namespace tumble {
 /// picture_boxes(). Positions and orientations are interpolated linearly between keys, quaternions without
 /// a change of sign. An absent box has the scale 0 (STEP), which glTF defines as invisible. Boxes that
 /// never move have no animation. The ground is a thin box below y = 0. Times begin with 0 at the first frame.
-/// \param run     the recorded run
 /// \param frames  times ascending, at least one; frame_at() interpolates frames between the recorded ones
 /// \param speed   [-] seconds of the run in a second of the animation, above 0
 /// \return the bytes of the file; keys have single precision, as glTF requires

@@ -47,11 +47,10 @@ std::int64_t GltfBuffer::add(Use use, int columns, const std::vector<float>& num
   const auto width = static_cast<std::size_t>(columns);
   assert(!numbers.empty() && numbers.size() % width == 0);
   View& view = view_for(use);
-  Accessor accessor;
-  accessor.view = views_.size() - 1;
-  accessor.offset = bytes_.size() - view.offset;
-  accessor.rows = numbers.size() / width;
-  accessor.columns = columns;
+  Accessor accessor{.view = views_.size() - 1,
+                    .offset = bytes_.size() - view.offset,
+                    .rows = numbers.size() / width,
+                    .columns = columns};
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     std::uint32_t bits = 0;
     std::memcpy(&bits, &numbers[k], sizeof bits);
@@ -71,11 +70,7 @@ std::int64_t GltfBuffer::add(Use use, int columns, const std::vector<float>& num
 
 std::int64_t GltfBuffer::add(const std::vector<std::uint16_t>& numbers) {
   View& view = view_for(Use::indices);
-  Accessor accessor;
-  accessor.view = views_.size() - 1;
-  accessor.rows = numbers.size();
-  accessor.columns = 1;
-  accessor.whole = true;
+  Accessor accessor{.view = views_.size() - 1, .rows = numbers.size(), .columns = 1, .whole = true};
   for (const std::uint16_t number : numbers) put(number, 2);
   view.length = bytes_.size() - view.offset;
   accessors_.push_back(std::move(accessor));

@@ -20,7 +20,6 @@ struct GltfTrack {
 };
 
 /// Collects the trajectory of each body.
-/// \param run     the recorded run
 /// \param frames  its frames, times ascending
 /// \return for each box of the scene; none for one that is in no frame
 std::vector<std::optional<GltfTrack>> gltf_tracks(const RecordedRun& run,
@@ -32,7 +31,6 @@ std::vector<std::optional<GltfTrack>> gltf_tracks(const RecordedRun& run,
 void add_numbers(const Vec3& v, std::vector<float>& list);
 
 /// Adds numbers in single precision to a list.
-/// \param q     a quaternion
 /// \param list  receives x, y, z and w, in the order of glTF
 void add_numbers(const Quat& q, std::vector<float>& list);
 

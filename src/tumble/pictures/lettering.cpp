@@ -92,8 +92,7 @@ PictureArea lettering(std::string_view text, const Vec2& corner, double height,
                       std::uint32_t colour) {
   require::positive(height, "height of lettering");
   const double unit = height / kTall;
-  PictureArea area;
-  area.colour = colour;
+  PictureArea area{.colour = colour};
   Vec2 place = corner;
   for (const char sign : text) {
     const Letter& letter = letter_of(sign);

@@ -13,7 +13,6 @@ namespace tumble {
 /// \param corner  [px] upper left corner of the first letter
 /// \param height  [px] of a digit, above 0
 /// \param colour  0xRRGGBB
-/// \return the strokes
 /// \throws std::invalid_argument naming an unknown letter
 /// \verified{Each digit has its own strokes, and an unknown character is refused}
 PictureArea lettering(std::string_view text, const Vec2& corner, double height,

@@ -75,7 +75,6 @@ class Lamp {
 };
 
 /// The shadow of the part of a box in front of a surface.
-/// \param box      the box
 /// \param plane    the surface
 /// \param light_w  [-] direction to the light; its angle with the normal is less than 90 degrees
 /// \return [m] along u and v, counter-clockwise; none if the box is behind the surface

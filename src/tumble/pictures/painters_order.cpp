@@ -46,9 +46,7 @@ bool is_parted_by_edge_of(const Box& box, const Box& other, const ViewPoint& vie
 enum class Cover { none, first, second, both };
 
 Cover which_covers(const Box& first, const Box& second, const ViewPoint& view) {
-  SeparationOptions exact;
-  exact.prefer_faces = false;
-  exact.enough = std::numeric_limits<double>::infinity();
+  SeparationOptions exact{.prefer_faces = false, .enough = std::numeric_limits<double>::infinity()};
   const Separation apart = separation(first, second, exact);
   const double shortest = std::min(first.half.minCoeff(), second.half.minCoeff());
   if (apart.distance < -2.0 * tolerance::painted_whole * shortest) return Cover::both;

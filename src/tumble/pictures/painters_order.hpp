@@ -14,13 +14,11 @@ class ViewPoint {
  public:
   /// A perspective view.
   /// \param eye_w  [m] where the eye is, world frame
-  /// \return the view
   /// \throws std::invalid_argument for a point that is not finite
   static ViewPoint from_eye(const Vec3& eye_w);
 
   /// An orthographic view.
   /// \param direction_w  [-] from the viewer into the scene, world frame, any length but 0
-  /// \return the view
   /// \throws std::invalid_argument for a vector that is not finite or of length 0
   static ViewPoint along(const Vec3& direction_w);
 
@@ -58,9 +56,7 @@ using PaintersOrder = std::vector<std::vector<int>>;
 /// line is the image of a plane through an edge and the viewer, so 24 planes are tried, and nothing
 /// has to be projected. Boxes may be anywhere: around the eye or behind it too. On opposite sides of
 /// an eye the answer may be true although no line of sight meets both.
-/// \param first   the one box
-/// \param second  the other
-/// \param view    from where they are seen
+/// \param view  from where they are seen
 /// \return false if no line of sight passes through the inside of both
 [[nodiscard]] bool views_overlap(const Box& first, const Box& second, const ViewPoint& view);
 
@@ -85,7 +81,6 @@ using PaintersOrder = std::vector<std::vector<int>>;
 /// Sorts boxes for a perspective view.
 /// \param boxes  all boxes of the picture
 /// \param eye_w  [m] where the eye is, world frame
-/// \return the order
 /// \throws std::invalid_argument for an eye that is not finite
 [[nodiscard]] inline PaintersOrder painters_order(std::span<const Box> boxes, const Vec3& eye_w) {
   return painters_order(boxes, ViewPoint::from_eye(eye_w));

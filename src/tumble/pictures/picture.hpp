@@ -54,7 +54,6 @@ struct Picture {
 /// \param width        [px] above 0
 /// \param height       [px] above 0
 /// \param floor        whether shadows fall on the floor y = 0
-/// \return the camera
 /// \throws std::invalid_argument naming the value that is out of range
 Camera camera_for(std::span<const PictureBox> boxes, const Vec3& direction_w, double width,
                   double height, bool floor);
@@ -65,7 +64,6 @@ Camera camera_for(std::span<const PictureBox> boxes, const Vec3& direction_w, do
 /// each other in a ring are drawn together, their faces cut by each other, so that no pixel is wrong. The
 /// floor fades into the white of the page; shadows fall on it and on faces.
 /// \param boxes   in front of the eye
-/// \param camera  the camera
 /// \param floor   whether the floor y = 0 is drawn
 /// \param around  the floor is drawn around these, for several pictures by one camera; none: `boxes`
 /// \return the areas, all inside the picture
@@ -79,7 +77,6 @@ Picture draw_boxes(std::span<const PictureBox> boxes, const Camera& camera, bool
 /// Writes a picture as gnuplot commands, to be read after a terminal has been set; objects of an
 /// earlier picture are removed, so that several pictures can be on one page (multiplot).
 /// \param picture the areas
-/// \return the commands
 std::string to_gnuplot(const Picture& picture);
 
 /// Writes a picture as an SVG file.

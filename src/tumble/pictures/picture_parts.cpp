@@ -45,8 +45,7 @@ Polygon circle(const Vec2& middle, const Vec2& radii, int corners) {
 
 // An area for one point of the lamp; the overlay of all of them is the shadow.
 PictureArea shadow_layer(const Lamp& lamp, const Vec3& normal_w, int box) {
-  PictureArea area;
-  area.colour = kShadowColour;
+  PictureArea area{.colour = kShadowColour};
   const double lit = 1.0 - lamp.shadow_depth(normal_w);
   area.opacity = 1.0 - elementary::pow(lit, 1.0 / static_cast<double>(lamp.points_w().size()));
   area.shadow = true;
@@ -84,9 +83,8 @@ void add_face_shadows(const PictureScene& scene, std::size_t number, const Plane
 void add_pips(const PictureScene& scene, const Plane& face, const Vec2& half, int pips,
               std::size_t number, std::vector<PictureArea>& areas) {
   constexpr std::array<std::array<double, 2>, 3> pairs = {{{1.0, 1.0}, {1.0, -1.0}, {1.0, 0.0}}};
-  PictureArea area;
-  area.colour = scene.lamp.shade(kPipColour, face.normal_w);
-  area.box = static_cast<int>(number);
+  PictureArea area{.colour = scene.lamp.shade(kPipColour, face.normal_w),
+                   .box = static_cast<int>(number)};
   const auto add = [&](const Vec2& place) {
     area.loops.push_back(
         seen(circle(half.cwiseProduct(place), kPipRadius * half, kPipCorners), face, scene.view));
@@ -140,9 +138,9 @@ std::vector<PictureArea> floor_areas(const PictureScene& scene,
     const double share = 1.0 - static_cast<double>(step) / kFloorSteps;  // 1: at the outer edge
     const double reach = radius * (kFloorBegins + (kFloorEnds - kFloorBegins) * share);
     const Polygon disc = circle(middle, Vec2::Constant(reach), kCircleCorners);
-    PictureArea area;
-    area.loops = {seen(clipped(disc, in_front), floor, view)};
-    area.colour = mixed(kFloorColour, kPageColour, share * share * (3.0 - 2.0 * share));
+    PictureArea area{
+        .loops = {seen(clipped(disc, in_front), floor, view)},
+        .colour = mixed(kFloorColour, kPageColour, share * share * (3.0 - 2.0 * share))};
     areas.push_back(std::move(area));
   }
   for (const Vec3& light_w : scene.lamp.points_w()) {

@@ -21,9 +21,7 @@ struct PictureScene {
 };
 
 /// A scene and its lamps. The more boxes there are, the fewer points a lamp has.
-/// \param boxes   all boxes
-/// \param camera  the camera
-/// \return the scene
+/// \param boxes  all boxes
 /// \throws std::invalid_argument for a camera that Projection rejects
 [[nodiscard]] PictureScene picture_scene(std::span<const PictureBox> boxes, const Camera& camera);
 

@@ -28,7 +28,6 @@ Raster rasterised(const Picture& picture);
 /// Joins two pictures side by side.
 /// \param left   a picture
 /// \param right  one of the same height
-/// \return the joined picture
 /// \throws std::invalid_argument if their heights differ
 Raster beside(const Raster& left, const Raster& right);
 

@@ -32,8 +32,7 @@ std::vector<PictureBox> picture_boxes(const World& world) {
   for (std::size_t k = 0; k < count; ++k) {
     const BodyProperties& body = world.bodies()[k];
     if (body.shape == Shape::ground) continue;
-    PictureBox drawn;
-    drawn.box = box_of(body, world.states()[k]);
+    PictureBox drawn{.box = box_of(body, world.states()[k])};
     const std::string& name = world.name(static_cast<int>(k));
     drawn.die = name.starts_with("die");
     if (!body.movable()) {

@@ -12,12 +12,10 @@ namespace tumble {
 /// All boxes of a world with their colours: immovable ones grey, one named "projectile" vermilion, the
 /// others in turn from colours that colour-blind readers can distinguish (Okabe and Ito), muted if there
 /// are many. Those whose name begins with "die" get pips.
-/// \param world the bodies
 /// \return one for each body except the ground, in the order of the world
 std::vector<PictureBox> picture_boxes(const World& world);
 
 /// Whether a world has a ground.
-/// \param world the bodies
 /// \return true if so: draw the floor
 bool has_ground(const World& world);
 

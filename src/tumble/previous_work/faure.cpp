@@ -12,7 +12,6 @@
 #include "tumble/previous_work/near_points.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 

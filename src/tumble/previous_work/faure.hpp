@@ -30,9 +30,6 @@ struct FaureOptions {
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(FaureOptions& o, Visitor& v) {
   v.whole("budget", o.budget, 0, 1000000, "steps of the iteration in a step of time");
@@ -68,7 +65,6 @@ void describe(FaureOptions& o, Visitor& v) {
 class Faure : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a value out of range
   explicit Faure(const FaureOptions& options = {});
 
@@ -77,7 +73,6 @@ class Faure : public Technique {
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   /// How far the iteration came in the last step.
-  /// \return see there
   [[nodiscard]] const DescentReport& descent() const { return descent_; }
 
  private:

@@ -5,8 +5,8 @@
 #include "tumble/base/random.hpp"
 
 #include <array>
+#include <compare>
 #include <map>
-#include <tuple>
 
 namespace tumble {
 
@@ -16,23 +16,10 @@ struct ImpactName {
   BodyId first{};   ///< the body with the smaller id
   BodyId second{};  ///< the other one
   int number = 0;   ///< how many fast impacts this pair had before
+
+  /// Orders names by the first body, the second, then the number.
+  auto operator<=>(const ImpactName&) const = default;
 };
-
-/// The order of names.
-/// \param a  the one
-/// \param b  the other
-/// \return true if a is before b: by the first body, the second, then the number
-[[nodiscard]] inline bool operator<(const ImpactName& a, const ImpactName& b) {
-  return std::tie(a.first, a.second, a.number) < std::tie(b.first, b.second, b.number);
-}
-
-/// Whether two names are the same.
-/// \param a  the one
-/// \param b  the other
-/// \return true for the same impact
-[[nodiscard]] inline bool operator==(const ImpactName& a, const ImpactName& b) {
-  return std::tie(a.first, a.second, a.number) == std::tie(b.first, b.second, b.number);
-}
 
 /// [-] The random values of one impact, each uniform in [0, 1).
 using ImpactValues = std::array<double, 3>;

@@ -232,8 +232,7 @@ void Microcollisions::book(Part& part, const Approach& at, const Mat3& yield_w,
   one.points[0].position_w = at.point_w;
   one.points[0].normal_impulse = push;
   one.points[0].friction_impulse_w = impulse_w - push * n;
-  Event moment;
-  moment.time = part.world.time() + time;
+  Event moment{.time = part.world.time() + time};
   add_records({&one, 1}, moment.time, records_);
   report_collision(one, moment, observer());
 }

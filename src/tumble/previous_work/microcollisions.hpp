@@ -29,9 +29,6 @@ struct MicrocollisionsOptions {
   std::string_view broad_phase = "bounding_tree";
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(MicrocollisionsOptions& o, Visitor& v) {
   v.number("rebound", o.rebound, 0.0, 1.0, "-",
@@ -78,11 +75,9 @@ void describe(MicrocollisionsOptions& o, Visitor& v) {
 class Microcollisions : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a value out of range
   explicit Microcollisions(const MicrocollisionsOptions& options = {});
   /// A copy; nothing is remembered from step to step but storage.
-  /// \param other the original
   Microcollisions(const Microcollisions& other);
   Microcollisions& operator=(const Microcollisions&) = delete;
   ~Microcollisions() override = default;

@@ -20,7 +20,6 @@ namespace tumble {
 class NearPoints {
  public:
   /// Finds them, with the impulses that the same points had before.
-  /// \param world   where the bodies are
   /// \param bodies  how they move: one for each body index
   /// \param margin  [m] points up to this far apart count, at least 0
   /// \param report  pair tests are added, the deepest overlap is overwritten
@@ -45,13 +44,11 @@ class NearPoints {
 };
 
 /// How far a corner goes at most.
-/// \param world   the bodies
 /// \param moving  their displacements, as velocities
 /// \return [m] the displacement of the centre and half the diagonal times the turn, of the body for which this is most
 [[nodiscard]] double farthest_move(const World& world, std::span<const MovingBody> moving);
 
 /// How far apart two points may be that meet within a step, up to `tolerance::faure_reach` of the shortest edge.
-/// \param world   where the bodies are
 /// \param bodies  their velocities at the start of the step, by index
 /// \param dt      [s] its length
 /// \return [m] twice the way of the fastest point

@@ -30,7 +30,6 @@ class NearestMotion {
   /// \param gaps      d, for each point in the order of the contacts
   /// \param wanted    [-] step at which to end, over the one from no forces at all
   /// \param budget    steps at most
-  /// \return how far it came
   DescentReport solve(std::span<MovingBody> bodies, std::span<Contact> contacts,
                       std::span<const double> gaps, double wanted, int budget);
 

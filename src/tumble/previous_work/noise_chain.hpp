@@ -32,7 +32,6 @@ enum class NoiseMove : std::uint8_t {
 };
 
 /// The name of a move in files.
-/// \param move  the move
 /// \return for example "nudge"
 [[nodiscard]] constexpr std::string_view name_of(NoiseMove move) {
   if (move == NoiseMove::all) return "all";
@@ -87,7 +86,6 @@ class NoiseChain {
   NoiseChain(const Random& stream, double strictness);
 
   /// Simulates the next proposal; the first one is the start, which is always accepted.
-  /// \param simulate  see there
   /// \return what take() makes the state; nothing has changed yet
   [[nodiscard]] Step propose(const SimulateNoise& simulate) const;
 

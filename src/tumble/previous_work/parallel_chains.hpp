@@ -17,8 +17,7 @@ struct ChainGoal {
 };
 
 /// Whether a chain has come to its end.
-/// \param chain  the chain
-/// \param goal   when it ends
+/// \param goal  when it ends
 /// \return true if there is nothing left to do
 [[nodiscard]] bool is_done(const NoiseChain& chain, const ChainGoal& goal);
 

@@ -29,9 +29,6 @@ struct PenaltyOptions {
   RotationRule rotation = RotationRule::splitting;  ///< how bodies turn
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(PenaltyOptions& o, Visitor& v) {
   v.number("stiffness", o.stiffness, 0.0, 1e20, "N/m",
@@ -79,7 +76,6 @@ void describe(PenaltyOptions& o, Visitor& v) {
 class Penalty : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a value out of range
   explicit Penalty(const PenaltyOptions& options = {});
 

@@ -5,7 +5,6 @@
 #include "tumble/base/error.hpp"
 #include "tumble/math/elementary.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -25,8 +25,7 @@ struct PenaltyLaw {
 /// With \f$x' = x + h v'\f$ a swing decays while \f$h^2\omega^2 + 4\zeta h\omega < 4\f$: without damping below
 /// \f$2/\omega\f$. With \f$x' = x + h v\f$ it decays while \f$h\omega < 2\zeta\f$ and
 /// \f$4\zeta h\omega < 4 + h^2\omega^2\f$: without damping never.
-/// \param scheme  see there
-/// \param law     frequency above 0, damping at least 0
+/// \param law  frequency above 0, damping at least 0
 /// \return [s] 0: no step
 /// \verified{Swings on springs decay below the stable step and grow above it}
 double stable_step(PenaltyScheme scheme, const PenaltyLaw& law);

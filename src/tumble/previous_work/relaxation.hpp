@@ -20,9 +20,6 @@ struct RelaxationOptions {
   int passes = 10;  ///< over all rods and contacts in a step, at least 1
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(RelaxationOptions& o, Visitor& v) {
   v.whole("passes", o.passes, 1, 100000, "passes over all rods and contacts in a step");
@@ -50,7 +47,6 @@ void describe(RelaxationOptions& o, Visitor& v) {
 class Relaxation : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for no pass
   explicit Relaxation(const RelaxationOptions& options = {});
 

@@ -20,9 +20,6 @@ struct SettlingOptions {
   int budget = 2000;   ///< steps of the iteration of a quadratic program
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(SettlingOptions& o, Visitor& v) {
   v.number("reach", o.reach, 0.01, 1.0, "-",
@@ -50,7 +47,6 @@ void describe(SettlingOptions& o, Visitor& v) {
 class Settling : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a value out of range
   explicit Settling(const SettlingOptions& options = {});
 

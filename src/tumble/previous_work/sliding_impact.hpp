@@ -58,7 +58,6 @@ struct SlidingImpulse {
 /// always ends: K is positive definite, so slip that grows goes with a push that parts the bodies, and slip that shrinks
 /// comes to its end.
 /// \param impact  the impact, its values as SlidingImpact has them, which is not checked
-/// \return its impulse
 /// \see Routh, "Dynamics of a system of rigid bodies", elementary part, 1905; Keller, "Impact with friction", J. Appl. Mech. 53, 1986;
 ///      Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996.
 /// \algorithm{Friction through an impact: section 2.5.2}

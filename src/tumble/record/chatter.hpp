@@ -48,7 +48,6 @@ class ChatterMeter {
 
   /// Adds the world after a step, or at the start. The window of a body that appears later begins with the first frame
   /// after it was first added.
-  /// \param world       the bodies
   /// \param in_contact  by index: whether the body touches another one
   void add(const World& world, std::span<const char> in_contact);
 

@@ -14,43 +14,29 @@ namespace tumble {
 class Json {
  public:
   /// Opens an object.
-  /// \return this
   Json& begin();
   /// Closes the object opened last.
-  /// \return this
   Json& end();
   /// Opens a list.
-  /// \return this
   Json& begin_list();
   /// Closes the list opened last.
-  /// \return this
   Json& end_list();
   /// Writes the name of the value that follows.
-  /// \param name the name
-  /// \return this
   Json& key(std::string_view name);
   /// Writes a field.
-  /// \param name   its name
   /// \param value  a number
-  /// \return this
   Json& field(std::string_view name, double value);
   /// Writes a field.
-  /// \param name   its name
   /// \param value  a whole number
-  /// \return this
   Json& field(std::string_view name, std::int64_t value);
   /// Writes a field.
-  /// \param name   its name
   /// \param value  text
-  /// \return this
   Json& field(std::string_view name, std::string_view value);
   /// Writes an item of a list.
   /// \param value text
-  /// \return this
   Json& item(std::string_view value);
   /// Writes an item of a list.
   /// \param value a number
-  /// \return this
   Json& item(double value);
   /// What was written.
   /// \return the text, with a line break at its end

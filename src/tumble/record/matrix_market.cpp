@@ -9,9 +9,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <fstream>
-#include <iterator>
 #include <vector>
 
 namespace tumble {

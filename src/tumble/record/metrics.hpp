@@ -49,7 +49,6 @@ class MetricsMeter : public Observer {
   void allow(double energy_added) { start_energy_ += energy_added; }
 
   /// Measures after a step.
-  /// \param world   the bodies
   /// \param report  what the step did
   /// \return the metrics; for a world that is not finite the energies alone
   Metrics measure(const World& world, const StepReport& report);

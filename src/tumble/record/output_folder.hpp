@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace tumble {
@@ -18,7 +17,6 @@ namespace tumble {
 class OutputFolder {
  public:
   /// Makes the folder if it is missing, marks and locks it.
-  /// \param path   where
   /// \param kind   of the output, one word, for the mark
   /// \param files  all files that an output of this kind may have
   /// \throws std::invalid_argument if the path is a file, a folder that is neither empty nor has the mark, or one

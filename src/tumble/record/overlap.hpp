@@ -12,7 +12,6 @@ namespace tumble {
 
 /// Up to which distance two surfaces count as touching: tolerance::touching of the shortest edge of the
 /// two. The ground has no size of its own.
-/// \param a  the one
 /// \param b  the other, not the ground as well
 /// \return [m]
 double touching_distance(const BodyProperties& a, const BodyProperties& b);

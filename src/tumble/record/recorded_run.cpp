@@ -77,8 +77,7 @@ void require_recorded(const RecordedRun& run, double time, double outside) {
 }  // namespace
 
 RecordedRun read_trajectory(Scene scene, std::istream& in, const std::string& name) {
-  RecordedRun run;
-  run.scene = std::move(scene);
+  RecordedRun run{.scene = std::move(scene)};
   std::map<std::string, int> boxes;
   for (std::size_t k = 0; k < run.scene.boxes.size(); ++k)
     boxes.emplace(run.scene.boxes[k].name, static_cast<int>(k));

@@ -38,7 +38,6 @@ struct RecordedRun {
 /// \param folder  of a run
 /// \param table   kTrajectoryFile for the poses as computed, kFilteredFile for those that its filter
 ///                showed
-/// \return what was recorded
 /// \throws std::invalid_argument "FILE:LINE: KEY = VALUE: what would be right", or if one of the files
 ///         cannot be read, has a line of 64 KiB, or more than 20 million rows
 RecordedRun read_run(const std::filesystem::path& folder, std::string_view table = kTrajectoryFile);
@@ -47,14 +46,12 @@ RecordedRun read_run(const std::filesystem::path& folder, std::string_view table
 /// \param scene  of the run
 /// \param in     what the file holds, from its first line on
 /// \param name   of the file, for messages
-/// \return what was recorded
 /// \throws std::invalid_argument as read_run() does
 RecordedRun read_trajectory(Scene scene, std::istream& in, const std::string& name);
 
 /// What was to be seen at a time. Between two recorded frames positions go along straight lines and
 /// orientations turn the shorter way; a body is there if both frames have it, and velocities are those of the
 /// frame before.
-/// \param run   what was recorded
 /// \param time  [s] within the recorded times
 /// \return the recorded frame itself at its time
 /// \throws std::invalid_argument naming the recorded times if `time` is outside
@@ -62,15 +59,12 @@ RecordedRun read_trajectory(Scene scene, std::istream& in, const std::string& na
 RecordedFrame frame_at(const RecordedRun& run, double time);
 
 /// The bodies of a frame as a world, at rest.
-/// \param run    what was recorded
 /// \param frame  one of its frames
 /// \return the ground, if there is one, and the frame's bodies with their names
 World world_of(const RecordedRun& run, const RecordedFrame& frame);
 
 /// The frame that is nearest in time.
-/// \param run   what was recorded
 /// \param time  [s] within the recorded times, or half a frame outside
-/// \return the frame
 /// \throws std::invalid_argument naming the recorded times if `time` is outside
 const RecordedFrame& nearest_frame(const RecordedRun& run, double time);
 

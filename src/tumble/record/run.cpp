@@ -168,8 +168,7 @@ RunResult run_simulation(Simulation& simulation, const RunSettings& settings,
   RunChecks checks(simulation);
   EventForwarder events(world, observers);
   const Observation forwarded(simulation, events);
-  RunResult result;
-  result.last = meter.metrics();
+  RunResult result{.last = meter.metrics()};
   keep_worst(result.last, result.worst_metrics);
   for (RunObserver* observer : observers) observer->on_begin(world);
 

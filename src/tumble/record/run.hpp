@@ -7,9 +7,7 @@
 #include "tumble/record/metrics.hpp"
 #include "tumble/scenes/simulation.hpp"
 
-#include <filesystem>
 #include <functional>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -97,7 +95,6 @@ class RunObserver {
 /// \param settings    step, duration; valid, see require_valid()
 /// \param observers   called in this order
 /// \param stop        called before every step; true ends the run as interrupted
-/// \return status and numbers
 /// \throws StepRefused if the technique refuses the first step
 /// \throws CannotWrite from an observer that writes
 RunResult run_simulation(Simulation& simulation, const RunSettings& settings,
@@ -110,7 +107,6 @@ RunResult run_simulation(Simulation& simulation, const RunSettings& settings,
 /// \param settings   step, duration
 /// \param observers  called in this order
 /// \param stop       called before every step; true ends the run as interrupted
-/// \return status and numbers
 /// \throws std::invalid_argument for settings out of range, or if the technique refuses the first step
 /// \throws CannotWrite from an observer that writes; the technique has no observer then, as after every run
 RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings& settings,
@@ -118,12 +114,10 @@ RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings&
                     const std::function<bool()>& stop = {});
 
 /// The name of a step's status in files.
-/// \param status the status
 /// \return for example "event_cap"
 std::string_view name_of(StepStatus status);
 
 /// The name of a run's end in files.
-/// \param end the end
 /// \return for example "interrupted"
 std::string_view name_of(RunEnd end);
 

@@ -11,7 +11,6 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace tumble {
@@ -45,7 +44,6 @@ class SceneSampler {
   /// Runs the motion of some noise as run_simulation() does.
   /// \param noise      of its impacts
   /// \param observers  called in this order
-  /// \return how it ended
   /// \throws std::invalid_argument as run_scene() does
   RunResult run(const ImpactNoise& noise, std::span<RunObserver* const> observers) const;
 
@@ -55,7 +53,6 @@ class SceneSampler {
   [[nodiscard]] SimulateNoise simulate(const std::atomic<bool>& stop) const;
 
   /// The scene.
-  /// \return checked
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
  private:

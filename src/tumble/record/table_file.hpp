@@ -24,8 +24,6 @@ inline constexpr std::string_view kUnfinishedFolder = ".unfinished";
 
 /// Writes a whole file at once, under another name first: if it cannot be written, the one of before is left. A link
 /// is replaced, not followed.
-/// \param path  where
-/// \param text  its content
 /// \throws CannotWrite naming the path that it will have when it is published, and the reason
 void write_file(const std::filesystem::path& path, std::string_view text);
 
@@ -37,7 +35,6 @@ void write_file(const std::filesystem::path& path, std::string_view text);
 class TableFile {
  public:
   /// Creates the file with its first line.
-  /// \param path    where
   /// \param header  the names of the columns, with commas
   /// \throws CannotWrite naming the path and the reason
   TableFile(std::filesystem::path path, std::string_view header);

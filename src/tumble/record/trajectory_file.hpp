@@ -23,7 +23,6 @@ inline constexpr std::string_view kFilteredFile = "trajectory_filtered.csv";
 class TrajectoryFile {
  public:
   /// Creates the file with its first line.
-  /// \param path where
   /// \throws CannotWrite naming the path and the reason
   explicit TrajectoryFile(std::filesystem::path path);
 
@@ -59,7 +58,6 @@ class TrajectoryFile {
 class FilteredTrajectoryFile {
  public:
   /// Creates the file with its first line.
-  /// \param path    where
   /// \param filter  of which a fresh copy is used
   /// \throws CannotWrite naming the path and the reason
   FilteredTrajectoryFile(std::filesystem::path path, const PoseFilter& filter);

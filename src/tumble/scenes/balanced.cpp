@@ -5,7 +5,6 @@
 #include "tumble/scenes/recipes.hpp"
 
 #include <numbers>
-#include <string>
 
 namespace tumble::recipes {
 namespace {

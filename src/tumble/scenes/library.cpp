@@ -37,14 +37,17 @@ const SceneRecipe& scene_recipe(std::string_view name) {
   return scene_library().front();  // not reached
 }
 
+Scene make_scene(std::string_view name, const std::vector<std::string>& settings,
+                 std::uint64_t seed) {
+  const SceneRecipe& recipe = scene_recipe(name);
+  Parameters parameters = recipe.parameters();
+  for (const std::string& setting : settings) parameters.assign(setting);
+  return recipe.build(parameters, Random(seed));
+}
+
 SceneBox recipes::box_at(std::string_view name, const Vec3& size, const Vec3& position_w,
                          double mass) {
-  SceneBox box;
-  box.name = name;
-  box.size = size;
-  box.position_w = position_w;
-  box.mass = mass;
-  return box;
+  return SceneBox{.name = std::string(name), .size = size, .mass = mass, .position_w = position_w};
 }
 
 SceneBox recipes::fixed_at(std::string_view name, const Vec3& size, const Vec3& position_w) {

@@ -6,6 +6,8 @@
 #include "tumble/base/random.hpp"
 #include "tumble/scenes/scene.hpp"
 
+#include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,9 +29,14 @@ struct SceneRecipe {
 const std::vector<SceneRecipe>& scene_library();
 
 /// One built-in scene.
-/// \param name its name
-/// \return the recipe
 /// \throws std::invalid_argument listing the names if there is none of this name
 const SceneRecipe& scene_recipe(std::string_view name);
+
+/// A built-in scene with some of its parameters changed.
+/// \param settings  each as key=value
+/// \param seed      of scenes with randomness
+/// \throws std::invalid_argument for a name, a key or a value that does not exist
+Scene make_scene(std::string_view name, const std::vector<std::string>& settings = {},
+                 std::uint64_t seed = 1);
 
 }  // namespace tumble

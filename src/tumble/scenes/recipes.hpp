@@ -13,39 +13,30 @@
 namespace tumble::recipes {
 
 /// Boxes piled up at rest: stack, pyramid, pyramid3d, wall.
-/// \param list gets the recipes
 void add_structures(std::vector<SceneRecipe>& list);
 
 /// One or two boxes: box_drop, bouncing_box, tumbling_box, two_boxes, crate_off_table, cradle.
-/// \param list gets the recipes
 void add_single(std::vector<SceneRecipe>& list);
 
 /// Boxes that slide, or carry others along: slide, slope, fig5_2, sled.
-/// \param list gets the recipes
 void add_sliding(std::vector<SceneRecipe>& list);
 
 /// Boxes near the limit of balance: rocking_block, seesaw, fig6_5, leaning, table.
-/// \param list gets the recipes
 void add_balanced(std::vector<SceneRecipe>& list);
 
 /// Boxes some of which cannot move, whatever presses on them: fig5_3, fig5_4, fig5_5, fig5_6, fig6_4.
-/// \param list gets the recipes
 void add_stability(std::vector<SceneRecipe>& list);
 
 /// Many boxes in motion: clump, projectile, dice, cage, toss; fig6_6, fig6_7.
-/// \param list gets the recipes
 void add_thrown(std::vector<SceneRecipe>& list);
 
 /// Boxes that stick together and turn about a point outside them: fig6_1, fig6_2, fig6_3.
-/// \param list gets the recipes
 void add_turning(std::vector<SceneRecipe>& list);
 
 /// Boxes in joints: chain, pendulum, crane, plank_bridge.
-/// \param list gets the recipes
 void add_jointed(std::vector<SceneRecipe>& list);
 
 /// Boxes on a line whose collisions have an order: line, fig5_1.
-/// \param list gets the recipes
 void add_lines(std::vector<SceneRecipe>& list);
 
 /// Declares how far the boxes of a pile are from their places: `scatter` and `scatter_angle`.
@@ -74,7 +65,6 @@ void build_pyramid(int rows, double spacing, Scene& scene);
 /// Puts the boxes of clump() into a scene; projectile() shoots at it.
 /// \param per_edge  boxes along each edge of the grid
 /// \param spacing   [m] from centre to centre
-/// \param random    orientations
 /// \param scene     gets the boxes
 void build_clump(int per_edge, double spacing, Random random, Scene& scene);
 
@@ -87,10 +77,8 @@ void build_clump(int per_edge, double spacing, Random random, Scene& scene);
 SceneBox box_at(std::string_view name, const Vec3& size, const Vec3& position_w, double mass = 1.0);
 
 /// An immovable box that is upright.
-/// \param name        its name
 /// \param size        [m] full edge lengths
 /// \param position_w  [m] its centre
-/// \return the box
 SceneBox fixed_at(std::string_view name, const Vec3& size, const Vec3& position_w);
 
 /// Declares `friction` and `restitution`.
@@ -117,7 +105,6 @@ void add_ground(const Parameters& p, Scene& scene);
 /// A box's name: a stem and its place, such as "level3" or "l2_1_4".
 /// \param stem    letters
 /// \param places  numbers from 1, with a low line between them
-/// \return the name
 std::string numbered(std::string_view stem, std::initializer_list<int> places);
 
 }  // namespace tumble::recipes

@@ -13,7 +13,6 @@ namespace tumble {
 /// Reads a scene from the text of a TOML file.
 ///
 /// A misspelt key is an error; no key is ignored.
-/// \param text  the file's content
 /// \param file  its name, for messages
 /// \return the scene, checked
 /// \throws std::invalid_argument "FILE:LINE: KEY = VALUE: what would be right"
@@ -26,8 +25,6 @@ Scene parse_scene(std::string_view text, std::string_view file);
 Scene read_scene(const std::filesystem::path& path);
 
 /// Writes a scene as a TOML file that reads back to the same bits.
-/// \param scene  the scene
-/// \return the file's content
 std::string to_toml(const Scene& scene);
 
 }  // namespace tumble

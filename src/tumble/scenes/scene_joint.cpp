@@ -10,7 +10,6 @@
 #include "tumble/scenes/scene.hpp"
 #include "tumble/scenes/scene_names.hpp"
 
-#include <algorithm>
 #include <vector>
 
 namespace tumble {

@@ -27,7 +27,6 @@ class SceneTable {
   virtual void only(std::initializer_list<std::string_view> known) const = 0;
 
   /// Reads a number.
-  /// \param key  its name
   /// \param out  the value; left alone if there is none
   /// \return whether there is one
   /// \throws std::invalid_argument for another value
@@ -39,25 +38,21 @@ class SceneTable {
   /// \throws std::invalid_argument for another value
   virtual bool vector(std::string_view key, Vec3& out) const = 0;
   /// Reads a quaternion, w first.
-  /// \param key  its name
   /// \param out  the value; left alone if there is none
   /// \return whether there is one
   /// \throws std::invalid_argument for another value
   virtual bool quaternion(std::string_view key, Quat& out) const = 0;
   /// Reads a text.
-  /// \param key  its name
   /// \param out  the value; left alone if there is none
   /// \return whether there is one
   /// \throws std::invalid_argument for another value
   virtual bool text(std::string_view key, std::string& out) const = 0;
   /// Reads a text or a list of texts.
-  /// \param key  its name
   /// \param out  the values; left alone if there are none
   /// \return whether there are any
   /// \throws std::invalid_argument for another value
   virtual bool texts(std::string_view key, std::vector<std::string>& out) const = 0;
   /// Reads true or false.
-  /// \param key  its name
   /// \param out  the value; left alone if there is none
   /// \return whether there is one
   /// \throws std::invalid_argument for anything else

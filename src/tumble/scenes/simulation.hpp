@@ -79,7 +79,6 @@ class Simulation {
 
   /// Adds a box now. Before the first step it becomes part of the start, where it may not overlap others.
   /// \param box  its `appears` becomes the time now; if it has no name, it gets one
-  /// \return its name
   /// \throws SceneMistake naming the value that is wrong; nothing is changed then
   std::string throw_in(SceneBox box);
 
@@ -90,7 +89,6 @@ class Simulation {
   void take_away(std::string_view name);
 
   /// A body, to be read.
-  /// \param name its name
   /// \return its pose, velocities and energy; valid until bodies are added or removed
   /// \throws std::invalid_argument if there is no such body, with the closest name
   [[nodiscard]] BodyView body(std::string_view name) const { return world_.body(name); }

@@ -3,9 +3,6 @@
 #include "tumble/base/error.hpp"
 #include "tumble/scenes/recipes.hpp"
 
-#include <cmath>
-#include <string>
-
 namespace tumble::recipes {
 namespace {
 

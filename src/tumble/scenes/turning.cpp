@@ -4,7 +4,6 @@
 #include "tumble/math/rotation.hpp"
 #include "tumble/scenes/recipes.hpp"
 
-#include <cmath>
 #include <string>
 
 namespace tumble::recipes {

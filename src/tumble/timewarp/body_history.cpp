@@ -2,8 +2,6 @@
 /// \brief The trajectory of one body, and the time until which it is known (Mirtich 2000).
 #include "tumble/timewarp/body_history.hpp"
 
-#include <algorithm>
-
 namespace tumble {
 namespace {
 

@@ -34,7 +34,6 @@ class BodyHistory {
 
   /// Appends a milestone, whose time becomes the local time.
   /// \param milestone  not before the local time
-  /// \param body       the body's constant part
   /// \param gravity_w  [m/s²] world frame
   void add(const Milestone& milestone, const BodyProperties& body, const Vec3& gravity_w);
 
@@ -58,7 +57,6 @@ class BodyHistory {
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
   /// Recomputes the bounds.
-  /// \param body       the body's constant part
   /// \param gravity_w  [m/s²] world frame
   void measure(const BodyProperties& body, const Vec3& gravity_w);
 
@@ -84,7 +82,6 @@ class BodyHistory {
 /// Bounds of a body's flight from a milestone.
 /// \param milestone  where it begins
 /// \param until      [s] its end
-/// \param body       the body's constant part
 /// \param gravity_w  [m/s²] world frame
 /// \return world frame
 [[nodiscard]] Bounds bounds_from(const Milestone& milestone, double until,

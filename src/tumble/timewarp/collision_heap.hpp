@@ -4,6 +4,7 @@
 
 #include "tumble/geometry/broad_phase.hpp"
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -13,23 +14,10 @@ namespace tumble {
 struct ForeseenCollision {
   double time = 0.0;  ///< [s] since the start of the frame
   IndexPair pair;     ///< the two bodies
+
+  /// Orders predicted collisions by time, then by the indices of the bodies.
+  auto operator<=>(const ForeseenCollision&) const = default;
 };
-
-/// Equality of predicted collisions.
-/// \param a  first
-/// \param b  second
-/// \return true if pair and time agree
-inline bool operator==(const ForeseenCollision& a, const ForeseenCollision& b) {
-  return a.time == b.time && a.pair == b.pair;
-}
-
-/// Order of predicted collisions: by time, then by the indices of the bodies.
-/// \param a  first
-/// \param b  second
-/// \return true if a comes before b
-inline bool operator<(const ForeseenCollision& a, const ForeseenCollision& b) {
-  return a.time != b.time ? a.time < b.time : a.pair < b.pair;
-}
 
 /// The queue of a timewarp: yields the earliest collision, and drops all collisions of a body at once.
 ///
@@ -52,11 +40,9 @@ class CollisionHeap {
   void insert(const ForeseenCollision& collision);
 
   /// Drops all collisions of a body.
-  /// \param body its index
   void forget(int body);
 
   /// Whether the queue is empty.
-  /// \return true if so
   [[nodiscard]] bool empty() const { return heap_.empty(); }
 
   /// The earliest collision.

@@ -63,7 +63,6 @@ class ContactStage {
   [[nodiscard]] bool holds(const IndexPair& pair) const;
 
   /// Takes a body's pairs out of the stage, as an impact has moved it.
-  /// \param body its index
   void release(int body);
 
   /// Takes out the pairs of bodies that an impact changed by more than gravity does in a frame: they

@@ -134,9 +134,9 @@ void InstantImpacts::resolve_together(std::span<Contact> contacts, InstantReport
   if (contacts.empty()) return;
   int points = 0;
   for (const Contact& contact : contacts) points += contact.count;
-  ImpactOptions how;
-  how.order = points <= kMostPoints ? ImpactOrder::simultaneous : ImpactOrder::sequential;
-  how.most_passes = kPasses;
+  ImpactOptions how{
+      .order = points <= kMostPoints ? ImpactOrder::simultaneous : ImpactOrder::sequential,
+      .most_passes = kPasses};
   const ImpactResult impact = solver_.resolve(contacts, moving_, how);
   out.status = std::max(out.status, impact.status);
   out.approach_left = std::max(out.approach_left, impact.worst_approach);

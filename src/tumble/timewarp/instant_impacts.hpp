@@ -35,7 +35,6 @@ struct InstantReport {
 };
 
 /// Upper bound on the velocity change of any point of a body in an impact.
-/// \param body    its constant part
 /// \param before  its motion before the impact
 /// \param after   and after it
 /// \return [m/s] change of linear velocity plus change of angular velocity times half the diagonal
@@ -43,7 +42,6 @@ struct InstantReport {
                                   const MovingBody& after);
 
 /// Whether an impact is negligible, as resting bodies have them in every frame.
-/// \param world  the bodies
 /// \param event  the impact
 /// \param time   [s] above 0
 /// \return true if its impulse moves each body in that time by at most tolerance::rounding_overlap
@@ -51,7 +49,6 @@ struct InstantReport {
 [[nodiscard]] bool only_rounding(const World& world, const Event& event, double time);
 
 /// Records an impact: all its points as contacts, and as events those that are not negligible.
-/// \param world     the bodies
 /// \param contacts  with their impulses
 /// \param moment    time and rewinds for all events
 /// \param dt        [s] length of the frame, see only_rounding()
@@ -61,7 +58,6 @@ void record_impact(const World& world, std::span<const Contact> contacts, const 
                    double dt, std::vector<ContactRecord>& records, std::vector<Event>& events);
 
 /// Lists the movable bodies of some pairs.
-/// \param world  the bodies
 /// \param pairs  by index
 /// \param out    is overwritten: indices, ascending, each once
 void list_movable(const World& world, std::span<const IndexPair> pairs, std::vector<int>& out);
@@ -82,11 +78,9 @@ class InstantImpacts {
   static constexpr int kPasses = 20;
 
   /// Resolves the impacts.
-  /// \param world    momenta of the pairs' bodies in and out; their poses are those of the instant
-  /// \param pairs    by index, first < second, each once, sorted
-  /// \param options  see there
-  /// \param report   counts and energy are added to it
-  /// \return the result
+  /// \param world   momenta of the pairs' bodies in and out; their poses are those of the instant
+  /// \param pairs   by index, first < second, each once, sorted
+  /// \param report  counts and energy are added to it
   InstantReport resolve(World& world, std::span<const IndexPair> pairs,
                         const InstantOptions& options, StepReport& report);
 

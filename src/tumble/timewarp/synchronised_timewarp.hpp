@@ -19,7 +19,6 @@ class SynchronisedTimewarp : public Technique {
 
  protected:
   /// Makes the technique.
-  /// \param options see there
   /// \param method  which pairs are searched, and how
   /// \throws std::invalid_argument for a resolution not above 0 or less than one event a pair
   SynchronisedTimewarp(const TimewarpOptions& options, SearchMethod method)

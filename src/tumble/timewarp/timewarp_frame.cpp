@@ -180,9 +180,7 @@ void TimewarpFrame::collide(std::span<const IndexPair> pairs, double time) {
 
 // Reports the collisions of one instant.
 void TimewarpFrame::report_collisions(std::span<const Contact> contacts, double time, int rewinds) {
-  Event moment;
-  moment.time = world_->time() + time;
-  moment.rewinds = rewinds;
+  Event moment{.time = world_->time() + time, .rewinds = rewinds};
   events_.clear();
   record_impact(*world_, contacts, moment, dt_, records_, events_);
   report.events += static_cast<std::int64_t>(events_.size());

@@ -29,9 +29,6 @@ struct TimewarpOptions {
   static constexpr int kMostSeparations = 50000;
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(TimewarpOptions& o, Visitor& v) {
   v.number("resolution", o.resolution, tolerance::least_event_resolution, 1.0, "s",
@@ -49,7 +46,6 @@ void describe(TimewarpOptions& o, Visitor& v) {
 void require_step(double dt, const TimewarpOptions& options, double steps = 1.0);
 
 /// Checks that all states are finite.
-/// \param world  the bodies
 /// \throws std::invalid_argument naming a body whose position or momenta are not finite
 void require_finite_states(const World& world);
 
@@ -95,12 +91,10 @@ class TimewarpWatcher {
 class TimewarpFrame {
  public:
   /// Makes the frame.
-  /// \param options  see there
-  /// \param method   which pairs are searched, and how
+  /// \param method  which pairs are searched, and how
   /// \throws std::invalid_argument for an option out of range
   TimewarpFrame(const TimewarpOptions& options, SearchMethod method);
   /// A copy with options only; no other state is kept from frame to frame.
-  /// \param other the original
   TimewarpFrame(const TimewarpFrame& other) : TimewarpFrame(other.options_, other.method_) {}
 
   /// Starts a frame.
@@ -116,13 +110,11 @@ class TimewarpFrame {
   StepReport report;                ///< of this frame
 
   /// Whether a body is movable.
-  /// \param body  its index
   /// \return false: it is neither integrated nor invalidated
   [[nodiscard]] bool movable(int body) const;
 
   /// Integrates a body in free flight: integrateForward.
   /// \param state  in and out
-  /// \param body   its index
   /// \param time   [s] duration
   void integrate_forward(BodyState& state, int body, double time);
 

@@ -199,10 +199,9 @@ std::optional<TimewarpFull::Meeting> TimewarpFull::first_collision(int body, int
 // The other body is rolled back to the time of the collision. Then both are at that time, and collide.
 void TimewarpFull::collide(int body, const Meeting& meeting) {
   roll_back(meeting.other, meeting.time, false);
-  Resolved collision;
-  collision.number = next_number_++;
-  collision.time = meeting.time;
-  collision.pair = {std::min(body, meeting.other), std::max(body, meeting.other)};
+  Resolved collision{.number = next_number_++,
+                     .time = meeting.time,
+                     .pair = {std::min(body, meeting.other), std::max(body, meeting.other)}};
   const std::array<int, 2> both = {collision.pair.first, collision.pair.second};
   std::array<MovingBody, 2> old;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -222,9 +221,8 @@ void TimewarpFull::collide(int body, const Meeting& meeting) {
   report_.impulses += collision.booked.impulses;
   report_.iterations += collision.booked.iterations;
   report_.pivots += collision.booked.pivots;
-  Event moment;
-  moment.time = scratch_.time() + meeting.time;
-  moment.rewinds = movable(both[0]) && movable(both[1]) ? 2 : 1;
+  Event moment{.time = scratch_.time() + meeting.time,
+               .rewinds = movable(both[0]) && movable(both[1]) ? 2 : 1};
   record_impact(scratch_, impact.contacts, moment, dt_, collision.records, collision.events);
   for (std::size_t k = 0; k < 2; ++k) {
     const BodyProperties& properties = scratch_.bodies()[idx(both[k])];

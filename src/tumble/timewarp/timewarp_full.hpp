@@ -32,9 +32,6 @@ struct TimewarpFullOptions : TimewarpOptions {
   int synchronise_every = 0;
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(TimewarpFullOptions& o, Visitor& v) {
   describe(static_cast<TimewarpOptions&>(o), v);
@@ -86,7 +83,6 @@ struct TimewarpWork {
 class TimewarpFull final : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for an option out of range
   explicit TimewarpFull(const TimewarpFullOptions& options = {});
   [[nodiscard]] std::string_view name() const override { return "timewarp_full"; }

@@ -26,7 +26,6 @@ namespace tumble {
 class TimewarpSafer final : public SynchronisedTimewarp {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a resolution not above 0 or less than one event a pair
   explicit TimewarpSafer(const TimewarpOptions& options = {});
 

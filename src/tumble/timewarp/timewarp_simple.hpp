@@ -30,7 +30,6 @@ namespace tumble {
 class TimewarpSimple final : public SynchronisedTimewarp {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a resolution not above 0 or less than one event a pair
   explicit TimewarpSimple(const TimewarpOptions& options = {});
 

@@ -22,9 +22,6 @@ struct TimewarpSweptOptions : TimewarpOptions {
   TieRule ties = TieRule::together;  ///< see there
 };
 
-/// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(TimewarpSweptOptions& o, Visitor& v) {
   describe(static_cast<TimewarpOptions&>(o), v);
@@ -45,7 +42,6 @@ void describe(TimewarpSweptOptions& o, Visitor& v) {
 class TimewarpSwept final : public SynchronisedTimewarp {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a resolution not above 0 or less than one event a pair
   explicit TimewarpSwept(const TimewarpSweptOptions& options = {});
 

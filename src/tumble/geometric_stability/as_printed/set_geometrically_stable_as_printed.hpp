@@ -36,7 +36,6 @@ struct PrintedStabilityRepairs {
 /// The listing leaves some points open. The top object is the one with the higher centre; of equals,
 /// the second. In line 13 the contact is asked for its body (G1; the listing asks the body). Corners
 /// are those of the lowest face. Comparisons are exact (G8).
-/// \param world     the bodies
 /// \param contacts  contacts when they were gathered
 /// \param repairs   the errata that are mended
 /// \param bodies    one for each body index; in and out

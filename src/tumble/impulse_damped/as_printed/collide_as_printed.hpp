@@ -58,7 +58,6 @@ struct PrintedCollision {
 /// \param restitution  [-] e, from -1 to 1
 /// \param gravity      whether gravity is added for the time being
 /// \param how          what else is needed
-/// \return its account
 PrintedCollision collide_as_printed(PrintedObject& first, PrintedObject& second,
                                     const Contact& collision, double restitution,
                                     PrintedGravity gravity, const PrintedCollide& how);

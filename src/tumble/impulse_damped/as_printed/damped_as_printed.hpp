@@ -63,7 +63,6 @@ struct DampedAsPrintedOptions {
 class DampedAsPrinted final : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for passes below 0, a cap below 1, an index or loop base that is
   ///         not 0 or 1, or numbers that check() refuses
   explicit DampedAsPrinted(const DampedAsPrintedOptions& options = {});
@@ -75,7 +74,6 @@ class DampedAsPrinted final : public Technique {
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
 
   /// What SETGEOMETRICALLYSTABLE has found in the last step.
-  /// \param id a body
   /// \return whether it is geometrically stable; false if there was no such body in the last step
   [[nodiscard]] bool geometrically_stable(BodyId id) const;
 

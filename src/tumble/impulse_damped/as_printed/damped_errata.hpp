@@ -9,7 +9,6 @@ namespace tumble {
 /// The errata of A.2: D1 to D6 (DAMPEDINTEGRATION), C1 to C11 (COLLIDE), RK1 to RK4 and RC1 to RC4
 /// (RESOLVECOLLISIONS, RESOLVECONTACTS), DM1 to DM17 (DAMPENOBJECTS), X1 to X7
 /// (FIXCONTACTCONSTRAINTS) and G1 to G8 (SETGEOMETRICALLYSTABLE).
-/// \return the list
 const ErrataList& errata_of_damped_integration();
 
 /// Errata of A.2 that are repaired.

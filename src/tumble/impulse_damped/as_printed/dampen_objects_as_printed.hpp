@@ -43,9 +43,7 @@ struct DampenReport {
 ///                  again is not said (DM5): it is the caller's
 /// \param numbers   ε and k
 /// \param dt        [s] above 0
-/// \param rotation  how bodies turn
 /// \param repaired  the errata that are mended. D5, DM1 to DM4, DM13 and DM16 make a difference
-/// \return its account
 /// \throws std::invalid_argument if there is not one flag for each body, or for a dt not above 0
 /// \algorithm{DAMPENOBJECTS as printed: appendix A.2}
 /// \verified{With all its misprints, the listing ends whatever is negative along y and z}

@@ -33,7 +33,6 @@ struct PrintedFixReport {
 /// \param eps1      [m] how far a push goes, above 0
 /// \param cap       pushes for one contact point after which it is given up, at least 1
 /// \param repaired  the errata that are mended: X1 (normal of now, upper body by its direction), X2
-/// \return its account
 /// \throws std::invalid_argument for eps1 or cap out of range, or a contact of a body that there is
 ///         not
 /// \algorithm{FIXCONTACTCONSTRAINTS as printed: appendix A.2}

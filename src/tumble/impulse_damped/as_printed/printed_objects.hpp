@@ -57,7 +57,6 @@ struct PrintedObject {
 class PrintedObjects {
  public:
   /// Begins a stage: velocities out of momenta.
-  /// \param world     the bodies
   /// \param stable    by index: whether a body is geometrically stable
   /// \param fixed_w   [m/s] by index: velocities that immovable bodies were given (D6)
   /// \param repaired  C6 and RC4 are looked at
@@ -68,7 +67,6 @@ class PrintedObjects {
   /// \param world    poses in and out; momenta are not touched
   /// \param dt       [s] above 0
   /// \param ahead_w  [m/s] a: 0 or what gravity will add in the step
-  /// \param rule     how bodies turn
   /// \return how many bodies were moved
   int integrate_positions(World& world, double dt, const Vec3& ahead_w, RotationRule rule);
 

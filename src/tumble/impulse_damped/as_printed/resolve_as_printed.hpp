@@ -7,7 +7,6 @@
 #include "tumble/impulse_damped/pair_gatherer.hpp"
 
 #include <functional>
-#include <vector>
 
 namespace tumble {
 

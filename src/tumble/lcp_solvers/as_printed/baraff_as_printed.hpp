@@ -65,7 +65,6 @@ class BaraffObserver {
 class BaraffAsPrintedSolver final : public LcpSolver {
  public:
   /// Makes a solver.
-  /// \param options see BaraffAsPrintedOptions
   /// \throws std::invalid_argument for an option out of its range
   explicit BaraffAsPrintedSolver(const BaraffAsPrintedOptions& options = {});
 

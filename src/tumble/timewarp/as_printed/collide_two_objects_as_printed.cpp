@@ -52,9 +52,7 @@ void PrintedQueries::collide_approaching(std::span<const IndexPair> pairs, doubl
   if (impact.status != ImpactStatus::done)
     report.status = std::max(report.status, StepStatus::event_cap);
 
-  Event moment;
-  moment.time = world_->time() + time;
-  moment.rewinds = keep_pushed(pairs);
+  Event moment{.time = world_->time() + time, .rewinds = keep_pushed(pairs)};
   report.rewinds += margin == 0.0 ? moment.rewinds : 0;  // otherwise already counted
   std::vector<Event> events;
   record_impact(*world_, impact.contacts, moment, dt_, records_, events);

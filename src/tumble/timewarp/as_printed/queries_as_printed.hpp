@@ -34,8 +34,6 @@ struct TimewarpAsPrintedOptions {
 };
 
 /// Names the options that the reading as meant lacks to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(TimewarpAsPrintedOptions& o, Visitor& v) {
   v.whole("cap", o.cap, 1, 1000000,
@@ -80,11 +78,9 @@ struct PrintedMoment {
 class PrintedQueries {
  public:
   /// Makes it with its storage.
-  /// \param options see there
   /// \throws std::invalid_argument for an option out of range
   explicit PrintedQueries(const TimewarpAsPrintedOptions& options);
   /// A copy with options only; no other state is kept from frame to frame.
-  /// \param other the original
   PrintedQueries(const PrintedQueries& other) : PrintedQueries(other.options_) {}
 
   /// Starts a frame.
@@ -100,13 +96,11 @@ class PrintedQueries {
   StepReport report;                ///< of this frame
 
   /// Whether the lines that stamp a body apply to this one.
-  /// \param body  its index
   /// \return as printed always (T10); mended, if it is movable
   [[nodiscard]] bool stamped(int body) const;
 
   /// integrateForward.
   /// \param state  in and out
-  /// \param body   its index
   /// \param time   [s] duration; may be negative
   void integrate_forward(BodyState& state, int body, double time);
 

@@ -48,7 +48,6 @@ namespace tumble {
 class TimewarpAsPrinted final : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a resolution not above 0, a cap below 1, or less than one
   ///         event a pair
   explicit TimewarpAsPrinted(const TimewarpAsPrintedOptions& options = {});

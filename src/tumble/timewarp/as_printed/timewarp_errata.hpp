@@ -7,7 +7,6 @@
 namespace tumble {
 
 /// The errata of A.1: T1 to T10 (SIMPLESYNCTIMEWARP) and F1 to F9 (SAFERSYNCTIMEWARP).
-/// \return the list
 const ErrataList& errata_of_timewarp();
 
 /// Errata of A.1 that are repaired.
