@@ -29,7 +29,7 @@ side = 'impacts in a step'; @SIDE
 set logscale y
 set yrange [0.7:3*cap_max]
 set format y '%g'
-set label 2 'cap' at graph 0.01,first cap_max offset 0,0.6 textcolor rgb soft
+set label 2 'limit' at graph 0.01,first cap_max offset 0,0.6 textcolor rgb soft
 plot cap_max with lines lt 8 notitle, \
   cleared using 'time_s':'impacts' with points pt 6 ps 1 lc rgb '#D55E00' title 'overlap lifted clear', \
   stem.'.csv' using 'time_s':'impacts' with points lt 1 title 'technique as it is', \
