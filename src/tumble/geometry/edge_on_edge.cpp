@@ -125,8 +125,8 @@ std::optional<Ridges> touching_ridges(const BoxPair& pair, const IndexPair& axes
   return out;
 }
 
-// Whether no edge along an axis of the first box is within the margin of one of the second: the boxes are farther apart
-// than that along a normal that is across the axis, so the way between two such edges is as long.
+// Whether no edge of the first box along one of its axes can be within the margin of an edge of the second: along a normal
+// across that axis the boxes are farther apart, and so are any two such edges.
 bool out_of_reach(const BoxPair& pair, int axis, double distance, double margin,
                   const Vec3& normal_w) {
   const Vec3 apart_w = pair.second.center_w - pair.first.center_w;
