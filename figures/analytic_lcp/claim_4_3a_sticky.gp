@@ -23,5 +23,5 @@ set xlabel 'threshold, over sqrt(g L)'
 set logscale y; set format y powers
 set autoscale y
 set yrange [1e-3:1]
-side = 'other resting position [m]'; @SIDE
+side = 'change at rest [m]'; @SIDE
 plot stem.'.csv' using 'threshold':(column('moved_m') > 0 ? column('moved_m') : NaN) with linespoints lt 2

@@ -29,7 +29,7 @@ side = 'impacts in a step'; @SIDE
 set logscale y
 set yrange [0.7:3*cap_max]
 set format y '%g'
-set label 2 'cap' at graph 0.01,first cap_max offset 0,0.6 textcolor rgb soft
+set label 2 'limit' at graph 0.01,first cap_max offset 0,0.6 textcolor rgb soft
 plot cap_max with lines lt 8 notitle, \
   cleared using 'time_s':'impacts' with points pt 6 ps 1 lc rgb '#D55E00' title 'overlap lifted clear', \
   stem.'.csv' using 'time_s':'impacts' with points lt 1 title 'technique as it is', \
@@ -45,7 +45,7 @@ set yrange [-1.7:1]
 set xtics 0.05
 set xlabel 'time [s]' offset 0,0.3
 side = 'height [mm]'; @SIDE
-set label 3 'left by repair' at graph 0.02,first left_max offset 0,-0.6 textcolor rgb soft
+set label 3 'slop' at graph 0.02,first left_max offset 0,-0.6 textcolor rgb soft
 set label 4 'ground' at graph 0.98,first 0 right offset 0,0.6 textcolor rgb soft
 plot 0 with lines lt 8 lw 1, left_max with lines lt 8 lw 1 dt (3,3), \
   path using 'time_s':(1e3*column('height_m')) with lines lt 1

@@ -18,7 +18,7 @@ set key at screen 0.56,0.985 center top vertical maxrows 2 width -1
 # A frame around means of which a run was cut short.
 frames = "numbers using 'cubes':(column('long_capped') > 0 ? column('long_per_s') : NaN) with points pt 4 ps 2.2 lw 2 lc rgb '#000000' notitle, ".\
   "numbers using 'cubes':(column('short_capped') > 0 ? column('short_per_s') : NaN) with points pt 4 ps 2.2 lw 2 lc rgb '#000000' notitle,"
-if (capped_max == 0) { frames = '' } else { set label 1 'framed: met the cap' at graph 0.02,0.95 textcolor rgb soft }
+if (capped_max == 0) { frames = '' } else { set label 1 'framed: reached the limit' at graph 0.02,0.95 textcolor rgb soft }
 plot @frames numbers using 'cubes':'short_square_per_s' with lines lt 8 title 'as height squared', \
   '' using 'cubes':'long_square_per_s' with lines lt 8 notitle, \
   '' using 'cubes':'short_linear_per_s' with lines lt 8 dt (3,3) title 'as height', \

@@ -26,7 +26,7 @@ set tmargin at screen 0.36; set bmargin at screen 0.105
 set format x '%g'
 set xlabel 'bodies'
 set yrange [0.5:1000]
-side = 'all pairs over it'; @SIDE
+side = 'times fewer tests'; @SIDE
 set label 1 'decides' at 1000,1 right offset -0.7,-0.4 textcolor rgb soft
 set label 2 'confirmed above 10' at 2,10 offset 0,0.7 textcolor rgb soft
 set arrow 2 from graph 0,first 10 to graph 1,first 10 nohead lt 8 dt (2,4)

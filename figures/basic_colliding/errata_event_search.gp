@@ -41,7 +41,7 @@ set xlabel 'time since the first [ms]'
 set xrange [0:12]; set xtics 5
 set logscale y; set yrange [0.8:3000]; set ytics 1,10
 @LEFT
-set label 1 'stopped by a cap' at first 9.6,900 right
+set label 1 'stopped by a limit' at first 9.6,900 right
 plot stem.'_flights_literal.csv' using 'since_ms':'impacts' with linespoints lt 2 dt 1
 unset label 1
 @RIGHT

@@ -22,7 +22,7 @@ set tmargin at screen 0.62; set bmargin at screen 0.36
 set format x '%g'
 set xlabel 'time [s]'
 side = 'energy error'; @SIDE
-set logscale y
+set logscale y; unset mytics
 set yrange [1e-12:1]; set ytics 1e-12,1e3
 set format y powers
 set label 'accepted' at graph 0.46,first 1e-6 center offset 0,0.6 textcolor rgb '#0072B2'

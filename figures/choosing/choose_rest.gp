@@ -8,7 +8,7 @@ unset border; unset tics; unset grid; unset key
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
 set xrange [0:1]; set yrange [17.6:-3.6]
 # White: below a micrometre; blue: below a tenth of a millimetre; orange: above it; dark: falls.
-shown(v) = v != v ? '–' : v < 1e-6 ? '0' : v < 1e-3 ? '< 0.001' : v < 10 ? sprintf('%.2g', v) : sprintf('%.0f', v)
+shown(v) = v != v ? '–' : v < 1e-6 ? '0' : v < 1e-3 ? '<0.001' : v < 10 ? sprintf('%.2g', v) : sprintf('%.0f', v)
 shade(v) = v != v ? 0xF2C9A8 : v < 1e-3 ? 0xFFFFFF : v < 0.1 ? 0xEAF3FA : 0xFBEBDD
 small = form eq 'svg' ? ',16' : ',11.5'
 set label 1 'stack of ten' at 0.445,-2.7 center textcolor rgb '#202020'

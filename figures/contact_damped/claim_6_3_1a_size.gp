@@ -22,11 +22,11 @@ unset key
 set tmargin at screen 0.455; set bmargin at screen 0.135
 set format x '%g'
 set xlabel 'time [s] at size 1' offset 0,0.3
-set logscale y; set format y powers
+set logscale y; set format y powers; unset mytics
 set yrange [1e-18:1e4]; set ytics 1e4
 side = 'difference, in edges'; @SIDE
 set label 1 'damped as in the thesis' at 1,5e2 center textcolor rgb soft
-set label 2 'contact\_damped' at 1,5e-6 center textcolor rgb soft
+set label 2 'contact\_damped' at 1,1e-9 center textcolor rgb soft
 plot stem.'.csv' using 'time_s':'damped_small' with lines lt 4, \
   '' using 'time_s':'damped_large' with lines lt 6, \
   '' using 'time_s':(column('small') > 0 ? column('small') : NaN) with lines lt 1, \

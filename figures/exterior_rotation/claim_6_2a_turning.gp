@@ -5,7 +5,7 @@ set multiplot
 table = stem.'.csv'
 steps = stem.'_steps.csv'
 set lmargin at screen 0.17; set rmargin at screen 0.955
-set logscale y; set format y powers
+set logscale y; set format y powers; unset mytics
 
 set tmargin at screen 0.945; set bmargin at screen 0.615
 set xrange [0:1]; set xtics nomirror 0,0.2
@@ -15,8 +15,8 @@ side = 'gap / edge'; @SIDE
 set key at screen 0.56,0.995 center top horizontal maxcols 2 samplen 2.5 width -1
 set arrow 1 from graph 0,first 1e-3 to graph 1,first 1e-3 nohead lt 8 dt (6,4)
 set arrow 2 from graph 0,first 1e-4 to graph 1,first 1e-4 nohead lt 8 dt (6,4)
-set label 1 'to be reached by the one: 10^{-3}' at graph 0.03,first 8e-3 left textcolor rgb soft
-set label 2 'not by the other: 10^{-4}' at graph 0.98,first 1.2e-5 right textcolor rgb soft
+set label 1 'confirmed if turning exceeds 10^{-3}' at graph 0.03,first 8e-3 left textcolor rgb soft
+set label 2 'and pushing stays below 10^{-4}' at graph 0.98,first 1.2e-5 right textcolor rgb soft
 plot table using 'time_s':'turning_m' with lines lt 1 title 'turning', \
   '' using 'time_s':'pushed_m' with lines lt 2 title 'pushed along'
 unset arrow; unset label

@@ -6,7 +6,7 @@ set lmargin at screen 0.175; set rmargin at screen 0.955
 
 set key at screen 0.56,0.99 center top vertical maxrows 2 width -4
 set tmargin at screen 0.915; set bmargin at screen 0.52
-set logscale y; set format y powers
+set logscale y; set format y powers; unset mytics
 set yrange [1e-17:1]; set ytics 1e-16,1e3
 set xrange [0:*]; set xtics 0,0.2
 set xlabel 'time [s]' offset 0,0.3

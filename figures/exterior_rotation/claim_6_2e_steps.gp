@@ -13,7 +13,7 @@ set border 1 lc rgb '#808080'; unset grid
 set ytics scale 0 ('' -5)
 set for [k=1:11] ytics add (names[k] (k < 8 ? k - 1 : k))
 set arrow 1 from 60,graph 0 to 60,graph 1 nohead back lc rgb '#b0b0b0' lw 1.5
-set label 1 '60' at 60,graph 1 center offset 0,0.6 textcolor rgb soft
+set label 1 '60 a second' at 60,graph 1 center offset 0,0.6 textcolor rgb soft
 set label 2 'each body by its exponential:' at screen 0.03,first 7.1 left textcolor rgb soft
 set key at screen 0.6,0.99 center top vertical maxrows 1 width -1
 place(k) = k < 7 ? k : k + 1

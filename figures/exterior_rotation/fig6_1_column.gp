@@ -50,7 +50,7 @@ unset key
 
 low = low + 140
 set tmargin at screen height(low); set bmargin at screen height(low + 135)
-set logscale y; set format y powers; set yrange [1e-16:10]; set ytics nomirror 1e-15,1e6
+set logscale y; set format y powers; set yrange [1e-16:10]; set ytics nomirror 1e-15,1e6; unset mytics
 side = 'corner error [m]'; @SIDE
 set label 2 'forward Euler' at graph 0.3,first 0.3 center textcolor rgb '#0072B2'
 set label 3 'midpoint' at graph 0.98,first 2e-6 right textcolor rgb '#A0507F'

@@ -65,7 +65,7 @@ plot table using 'time_s':(mm('forward_euler_upper_m')) with lines lt 1, \
 low = low + 106
 set tmargin at screen height(low); set bmargin at screen height(low + 92)
 set label 1 'upper edge; SE(3) exponential'
-set label 2 'lower edge' at graph 0.98,first 9 right textcolor rgb soft
+set label 2 'lower edge' at graph 0.98,first 12 right textcolor rgb soft
 plot table using 'time_s':(mm('forward_euler_exp_upper_m')) with lines lt 1, \
   '' using 'time_s':(mm('semi_implicit_exp_upper_m')) with lines lt 2, \
   '' using 'time_s':(mm('impulse_exp_upper_m')) with lines lt 3, \
@@ -76,7 +76,7 @@ low = low + 106
 set tmargin at screen height(low); set bmargin at screen height(low + 98)
 set format x '%g'
 set xlabel 'time [s]' offset 0,0.3
-set logscale y; set format y powers; set yrange [1e-16:10]; set ytics nomirror 1e-15,1e5,1e-5
+set logscale y; set format y powers; set yrange [1e-16:10]; set ytics nomirror 1e-15,1e5,1e-5; unset mytics
 side = 'gap [m]'; @SIDE
 set label 1 'upper edge' at graph 0.03,first 3e-2 left textcolor rgb soft
 set label 2 'leapfrog, with both' at graph 0.98,first 3e-2 right textcolor rgb '#2E7D9A'

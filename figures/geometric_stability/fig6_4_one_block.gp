@@ -27,7 +27,7 @@ high = top_max + 0.42
 
 # As it stands.
 set lmargin at screen 0.005; set rmargin at screen 0.325
-set label 1 sprintf('step %.2f: stands', overhang_max) at left_m + 0.5*wide_m,high center textcolor rgb '#202020'
+set label 1 sprintf('offset %.2f m: stands', overhang_max) at left_m + 0.5*wide_m,high center textcolor rgb '#202020'
 plot for [r=0:1] boxes using (shown(0, r)):'y_m':(half('width_m')):(half('height_m')) with boxxy dt 1 lw 1 lc rgb tone(r), \
   stem.'_levels.csv' using 'left_m':'y_m':(column('right_m') - column('left_m')):(0) with vectors nohead lt 1 lw 5, \
   '' using 'centre_m':'y_m' with points lt 2 pt 7 ps 0.9
@@ -45,7 +45,7 @@ unset arrow 2; unset arrow 3; unset label 2
 
 # A step too far.
 set lmargin at screen 0.675; set rmargin at screen 0.995
-set label 1 sprintf('step %.2f: tips', beyond_max)
+set label 1 sprintf('offset %.2f m: tips', beyond_max)
 plot for [r=0:2] boxes using (shown(2, r)):'y_m':(half('width_m')):(half('height_m')) with boxxy dt 1 lw 1 lc rgb tone(r), \
   stem.'_outlines.csv' using 'x_m':'y_m':'dx_m':'dy_m' with vectors nohead lw 1.5 dt (5,4) lc rgb '#D55E00', \
   stem.'_arrows.csv' using 'x_m':'y_m':'dx_m':'dy_m' with vectors head filled size 0.09,25 fixed lw 3 dt 1 lc rgb '#D55E00'

@@ -41,7 +41,7 @@ set xrange [-0.26:0.26]; set yrange [0.3:0.95]
 set xtics 0.1
 set xlabel 'offset of the top block [m]' offset 0,0.5
 side = 'mass of top over lower'; @SIDE
-set key at screen 0.5,0.122 center top horizontal maxcols 2 samplen 2
+set key at screen 0.5,0.122 center top vertical maxcols 1 samplen 2
 set label 1 'stands' at 0,0.9 center front textcolor rgb soft
 set label 2 'friction can hold it' at 0,0.545 center textcolor rgb soft
 set label 3 'falls' at 0,0.335 center textcolor rgb soft

@@ -56,7 +56,7 @@ set key at screen 0.56,0.163 center top vertical maxrows 2
 set xlabel 'power of the damping, k\_scale' offset 0,0.5
 set xrange [0.9:4.1]; set xtics 1,1
 set yrange [0:4.2]; set ytics 0,1
-side = 'sayings that hold'; @SIDE
+side = 'faults absent'; @SIDE
 range = stem.'_range.csv'
 plot for [e in '0.5 1 2'] range using (column('eps_scale') == e + 0 ? column('k_scale') : NaN):'sayings' \
   with linespoints lt (e > 1.5 ? 3 : e > 0.7 ? 1 : 2) title 'thresholds × '.e

@@ -33,7 +33,7 @@ set yrange [0:200]; set ytics 0,100
 set xlabel 'time [s]' offset 0,0.3
 side = 'energy [J]'; @SIDE
 heap = stem.'_heap.csv'
-set label 90 'one heap of 27' at screen 0.56,0.325 center
+set label 90 'one pile of 27' at screen 0.56,0.325 center
 set label 1 'damping takes: cubes' at first 0.35,156 left
 set label 2 'bricks' at first 0.75,78 left
 set label 3 'pushes add: bricks' at first 1.5,56 left

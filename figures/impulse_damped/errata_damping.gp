@@ -50,9 +50,9 @@ plot energy using 'angle_deg':'beam_mended' with lines lt 1, '' using 'angle_deg
 @NEXT
 
 # DM10: the way of a slide, seen from above.
-name = 'DM10  the way of a slide'
+name = 'DM10  the path of a slide'
 words = 'bends towards an axis'
-side = 'z [m], end of the way'
+side = 'z [m], end of the path'
 @PANEL
 set xlabel 'x [m]'
 set xrange [0.1:0.17]; set xtics 0.02
@@ -67,7 +67,7 @@ plot path using 'x_m':(column('whole') == 1 ? column('z_m') : NaN) with linespoi
 # DM11: let go beside a wall.
 name = 'DM11  a cube that touches'
 words = 'a wall hangs there'
-side = 'way down [m]'
+side = 'distance down [m]'
 @PANEL
 set xlabel 'time [s]'
 set xrange [0:1]; set xtics 0.5

@@ -4,7 +4,7 @@ tall = 1240
 set multiplot
 set lmargin at screen 0.18; set rmargin at screen 0.95
 forms = 'all simple safer swept full'
-names = '"all taken back" "simple" "safer" "swept" "full timewarp"'
+names = '"all rolled back" "simple" "safer" "swept" "full timewarp"'
 numbers = stem.'.csv'
 rates = stem.'_rates.csv'
 # Before there are ranges: outside of them nothing is counted.
@@ -33,7 +33,7 @@ set tmargin at screen 0.315; set bmargin at screen 0.075
 set xrange [1:100]; set xtics 1,10; set mxtics 10
 set yrange [1:100]; set ytics 1,10
 set xlabel 'collisions of 512 bodies in a frame'
-side = 'all taken back over simple'; @SIDE
+side = 'all rolled back over simple'; @SIDE
 set arrow 1 from 1,10 to 100,10 nohead lt 8 dt (2,4)
 set arrow 2 from 1,2 to 100,2 nohead lt 8 dt (2,4)
 set label 1 'confirmed above' at 1.1,10 offset 0,0.6 textcolor rgb soft

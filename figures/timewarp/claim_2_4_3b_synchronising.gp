@@ -23,9 +23,9 @@ set yrange [300:3e6]; set ytics 1e3,10; set format y powers
 side = 'integrations [1/s]'; @SIDE
 many = sprintf('%d cubes', bodies_max)
 few = sprintf('%d cubes', bodies_min)
-set label 1 'all taken back, '.many at 18,larger_mean right offset 0,0.7 textcolor lt 1
+set label 1 'all rolled back, '.many at 18,larger_mean right offset 0,0.7 textcolor lt 1
 set label 2 'full timewarp, '.many at 1.05,larger_first left offset 0,1 textcolor lt 1
-set label 3 'all taken back, '.few at 18,smaller_mean right offset 0,0.7 textcolor lt 2
+set label 3 'all rolled back, '.few at 18,smaller_mean right offset 0,0.7 textcolor lt 2
 set label 4 'full timewarp, '.few at 1.05,smaller_first left offset 0,1 textcolor lt 2
 plot larger_mean with lines lt 1 dt (6,4), \
   numbers using 'frames':'full_larger' with linespoints lt 1, \

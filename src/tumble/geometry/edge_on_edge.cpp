@@ -95,14 +95,16 @@ using Ridges = std::pair<Ridge, Ridge>;
 // and enters the second between the normals beside them.
 std::optional<Ridges> nearest_ridges(const BoxPair& pair, const IndexPair& axes) {
   constexpr std::array<std::array<double, 2>, 4> kSides{{{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
-  for (const auto& one : kSides) {
-    const Ridge first = ridge_of(pair.first, axes.first, one);
-    for (const auto& other : kSides) {
-      const Ridge second = ridge_of(pair.second, axes.second, other);
+  const auto ridges_of = [&](const Box& box, int axis) {
+    return std::array<Ridge, 4>{ridge_of(box, axis, kSides[0]), ridge_of(box, axis, kSides[1]),
+                                ridge_of(box, axis, kSides[2]), ridge_of(box, axis, kSides[3])};
+  };
+  const std::array<Ridge, 4> seconds = ridges_of(pair.second, axes.second);
+  for (const Ridge& first : ridges_of(pair.first, axes.first))
+    for (const Ridge& second : seconds) {
       const Vec3 gap_w = between(first, second);
       if (leaves(first, gap_w) && leaves(second, -gap_w)) return Ridges(first, second);
     }
-  }
   return {};
 }
 
@@ -121,6 +123,16 @@ std::optional<Ridges> touching_ridges(const BoxPair& pair, const IndexPair& axes
     out = Ridges(*first, *second);
   }
   return out;
+}
+
+// Whether no edge of the first box along one of its axes can be within the margin of an edge of the second: along a normal
+// across that axis the boxes are farther apart, and so are any two such edges.
+bool out_of_reach(const BoxPair& pair, int axis, double distance, double margin,
+                  const Vec3& normal_w) {
+  const Vec3 apart_w = pair.second.center_w - pair.first.center_w;
+  const double longest = apart_w.lpNorm<1>() + pair.first.half.sum() + pair.second.half.sum();
+  const double along = std::abs(pair.first.axes_w.col(axis).dot(normal_w));
+  return distance - longest * (along + tolerance::edge_on_edge_rounding) > margin;
 }
 
 bool farther_than(double near, const Manifold& manifold) {
@@ -152,9 +164,11 @@ void write_ends(const Ridge& first, const Ridge& second, const Vec3& normal_w, d
 
 }  // namespace
 
-void turn_to_edges(const BoxPair& pair, double margin, Manifold& manifold) {
+void turn_to_edges(const BoxPair& pair, double distance, double margin, Manifold& manifold) {
   const std::optional<IndexPair> axes = parallel_axes(pair);
   if (!axes) return;
+  if (manifold.count == 0 && out_of_reach(pair, axes->first, distance, margin, manifold.normal_w))
+    return;
   const double longest = 2.0 * std::max(pair.first.half.maxCoeff(), pair.second.half.maxCoeff());
   const double shortest = 2.0 * std::min(pair.first.half.minCoeff(), pair.second.half.minCoeff());
   const double near =

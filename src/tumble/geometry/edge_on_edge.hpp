@@ -17,10 +17,11 @@ namespace tumble {
 ///
 /// Changes nothing where r and s are nearly the same, and where a face is nearly parallel to one of the other box:
 /// neighbours in a wall that share an edge do not push each other diagonally.
+/// \param distance  [m] between the boxes along the manifold's normal
 /// \param margin    [m] points farther apart along the normal are left out
 /// \param manifold  as collide() found it; where the boxes meet in such edges, with both ends of the stretch that
 ///                  these share
 /// \verified{A tent of two cards has a horizontal normal at its ridge}
-void turn_to_edges(const BoxPair& pair, double margin, Manifold& manifold);
+void turn_to_edges(const BoxPair& pair, double distance, double margin, Manifold& manifold);
 
 }  // namespace tumble

@@ -233,8 +233,9 @@ bool collide(const Box& first, const Box& second, double margin, AxisIndex remem
   check(margin, remembered, kNoAxis, "remembered");
   const BoxPair pair(first, second);
   SeparationOptions options{true, margin, remembered};
+  Separation found;
   for (;;) {
-    const Separation found = separation(pair, options);
+    found = separation(pair, options);
     if (find_points(pair, found, margin, out)) break;
     // An axis that is almost the best may miss the contact area, as edges that pass beyond their
     // ends do. Then the memory goes first and the preference next: the best axis misses nothing if
@@ -246,7 +247,7 @@ bool collide(const Box& first, const Box& second, double margin, AxisIndex remem
     if (options.remembered == kNoAxis) options.prefer_faces = false;
     options.remembered = kNoAxis;
   }
-  turn_to_edges(pair, margin, out);
+  turn_to_edges(pair, found.distance, margin, out);
   return out.count > 0;
 }
 

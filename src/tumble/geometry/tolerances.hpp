@@ -32,6 +32,10 @@ inline constexpr double edge_on_edge_of_shortest = 0.1;
 /// changes along them by what edge_on_edge allows. (3.2)
 inline constexpr double edge_on_edge_turn = 5e-7;
 
+/// [-] Of the boxes' extent: what rounding may change of the distance between two such edges. Reason: far above rounding,
+/// far below any margin of boxes that are not side by side. (3.2)
+inline constexpr double edge_on_edge_rounding = 1e-9;
+
 /// [-] Cosine of the angle (6 degrees) below which faces beside such edges count as parallel. Reason: boxes laid in rows
 /// are turned by less. (3.2)
 inline constexpr double edge_on_edge_aligned = 0.995;

@@ -70,6 +70,7 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
 
   out.clear();
   PairReport report;
+  Manifold manifold;
   for (const IndexPair& pair : pairs_) {
     const BodyProperties& a = bodies[idx(pair.first)];
     const BodyProperties& b = bodies[idx(pair.second)];
@@ -79,14 +80,14 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
     if (!a.movable() && !b.movable()) continue;
     ++report.pair_tests;
 
-    Manifold manifold;
     if (!touch_pair(world, pair, boxes_[idx(pair.first)], boxes_[idx(pair.second)], margin, kNoAxis,
                     manifold))
       continue;
     Contact& contact = out.emplace_back(contact_of(world, pair));
-    set_points(manifold, contact);
     if (a.shape == Shape::box && b.shape == Shape::box)
       turn_normal(pair, margin, manifold, contact);
+    else
+      set_points(manifold, contact);
     for (int p = 0; p < contact.count; ++p)
       report.deepest_overlap = std::max(report.deepest_overlap, -contact.points[idx(p)].distance);
     if (points_ == PointRule::one) reduce_to_one(shortest_edge(a, b), contact);
