@@ -92,8 +92,8 @@ std::string_view message_of(const std::invalid_argument& error);
 /// \param scene  as written by a user or built by a program; then each box has a name
 /// \return the world at time 0
 /// \throws SceneMistake naming the first value that is wrong: no box, a size or mass that
-///         box_properties() refuses, a number that is not finite or above tolerance::largest_value, a quaternion that is not of length 1, a name that is used
-///         twice, is "ground" beside a ground or has control characters in it, a velocity of
+///         box_properties() refuses, a place or motion that require_motion_limits() refuses, a gravity that require_gravity() refuses,
+///         a quaternion that is not of length 1, a name that is used twice, is "ground" beside a ground or has control characters in it, a velocity of
 ///         a fixed box, a joint that join_bodies() refuses, or two boxes present at the start, not both fixed and
 ///         in no joint, that overlap by more than `tolerance::start_overlap` of the smaller one's smallest edge
 /// \par Cost

@@ -4,7 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/dynamics/energy.hpp"
-#include "tumble/dynamics/tolerances.hpp"
+#include "tumble/dynamics/motion_limits.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -101,13 +101,10 @@ void Simulation::update_boxes() {
   updated_ = world_.time();
 }
 
-void require_time_step(double dt) {
-  require::positive(dt, "dt");
-  require::within(dt, 0.0, tolerance::largest_value, "dt");
-}
+void require_time_step(double dt) { require_step_limits(dt, 0.0); }
 
 StepReport Simulation::step(double dt) {
-  require_time_step(dt);
+  require_step_limits(dt, world_.time());
   require_joints_held(*technique_, world_);
   update_boxes();
   StepReport report;

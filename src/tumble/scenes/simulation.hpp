@@ -17,7 +17,7 @@ namespace tumble {
 inline constexpr double kTimeStep = 1.0 / 60.0;
 
 /// Checks the length of a step.
-/// \param dt [s] above 0, at most tolerance::largest_value
+/// \param dt [s] from tolerance::shortest_step to longest_step
 /// \throws std::invalid_argument naming the value, for another one
 void require_time_step(double dt);
 
@@ -64,7 +64,8 @@ class Simulation {
   /// Simulates one step: update_boxes(), then the technique's step.
   /// \param dt [s] as require_time_step() takes it
   /// \return the technique's report, with StepStatus::not_finite if a state is not finite after it
-  /// \throws std::invalid_argument for another dt, or joints that the technique does not support
+  /// \throws std::invalid_argument for another dt, also if require_step_limits() does not take it at this time, or for
+  ///         joints that the technique does not support
   /// \throws StepRefused if the technique refuses the world or the step
   /// \throws StepFault if a part of the step fails, for example because a state has become infinite; bodies may have
   ///         moved by then
