@@ -152,6 +152,8 @@ void add_box(const SceneBox& box, World& world) {
   world.add(body, state_of(box, body), box.name);
 }
 
+double due_until(double time, double dt) { return time + tolerance::moment * dt; }
+
 void update_boxes(const Scene& scene, double from, double until, World& world) {
   const auto now = [&](double time) { return time > from && time <= until; };
   for (const SceneBox& box : scene.boxes) {

@@ -118,11 +118,19 @@ World build_world(const Scene& scene);
 /// \throws std::invalid_argument as World::add(), so if its name is taken by now
 void add_box(const SceneBox& box, World& world);
 
+/// The moment up to which boxes appear and disappear before a step: the time, and a little more since it is a sum of
+/// rounded steps.
+/// \param time  [s] when the step begins
+/// \param dt    [s] length of the step before it
+/// \return [s] the time and `tolerance::moment` of dt
+/// \verified{A box appears with the step that begins at its time, though times are sums of rounded steps}
+double due_until(double time, double dt);
+
 /// Removes the boxes that disappear, and adds those that appear, after `from` and until `until`, in the order of the
 /// scene.
 /// \param scene  the scene that the world was built from
-/// \param from   [s] the last time at which this was called; 0 at first
-/// \param until  [s] the time now
+/// \param from   [s] `until` of the last call; 0 at first
+/// \param until  [s] due_until() now
 /// \param world  in and out
 /// \throws std::invalid_argument if a name is taken by now
 void update_boxes(const Scene& scene, double from, double until, World& world);

@@ -23,9 +23,11 @@ void require_time_step(double dt);
 
 /// The world of a scene and the technique that steps it.
 ///
-/// A box that appears or disappears later does so before the first step that begins at its time or after it. A program
+/// A box that appears or disappears later does so before the first step that begins at its time or after it, as far as
+/// due_until() tells. A program
 /// can add and remove boxes as well, by throw_in() and take_away(): these are written into the scene with their time, so
-/// that simulating scene() again with the same technique and the same steps gives the same bits.
+/// that simulating scene() again with the same technique and the same steps gives the same bits, as long as no step is a
+/// thousand times shorter than the one before.
 /// \verified{What was thrown and taken away is repeated by a run of the scene that is left}
 class Simulation {
  public:
@@ -119,8 +121,9 @@ class Simulation {
   Technique* technique_;
   World world_;
   std::vector<Observer*> observers_;
-  double updated_ = 0.0;  // [s] time of the last update_boxes()
-  double earlier_ = 0.0;  // [s] time of the last one before that time
+  double last_dt_ = 0.0;  // [s] length of the last step
+  double updated_ = 0.0;  // [s] up to when the last update_boxes() went
+  double earlier_ = 0.0;  // [s] the same for the last one before that time
 };
 
 }  // namespace tumble
