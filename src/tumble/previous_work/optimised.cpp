@@ -170,7 +170,7 @@ void Optimised::find_momenta(World& world, double dt, StepReport& report) {
 }
 
 // A long body that is turned aside far would spin about its short axis with an angular momentum across it, with many times its energy.
-// No impulse tells where that momentum goes, so it is the energy that it keeps. So does a rod that flies and spins about its length too
+// No impulse shows where that momentum goes, so it is the energy that it keeps. So does a rod that flies and spins about its length too
 // fast for its turns to be followed.
 void Optimised::end_spin_up(World& world) {
   for (std::size_t k = 0; k < targets_.size(); ++k) {

@@ -23,11 +23,10 @@ void require_time_step(double dt);
 
 /// The world of a scene and the technique that steps it.
 ///
-/// A box that appears or disappears later does so before the first step that begins at its time or after it, as far as
-/// due_until() tells. A program
-/// can add and remove boxes as well, by throw_in() and take_away(): these are written into the scene with their time, so
-/// that simulating scene() again with the same technique and the same steps gives the same bits, as long as no step is a
-/// thousand times shorter than the one before.
+/// A box that appears or disappears later does so before the first step that begins at its time or after it, up to
+/// due_until(). A program can add and remove boxes as well, by throw_in() and take_away(): these are written into the
+/// scene with their time, so that simulating scene() again with the same technique and the same steps gives the
+/// same bits, as long as no step is a thousand times shorter than the one before.
 /// \verified{What was thrown and taken away is repeated by a run of the scene that is left}
 class Simulation {
  public:
