@@ -42,7 +42,7 @@ void add_poses(const World& world, Table& table) {
 void advance(const Scene& scene, Technique& technique, double step, double until, World& world,
              StepReport& totals) {
   while (world.time() < until - 0.5 * step) {
-    const double before = world.time();
+    const double before = due_until(world.time(), step);
     const StepReport report = technique.step(world, step);
     // At a cap a picture shows what there is; a strip, which measures, refuses it.
     if (ended_at_cap(report)) totals.status = StepStatus::event_cap;
@@ -50,7 +50,7 @@ void advance(const Scene& scene, Technique& technique, double step, double until
     totals.energy.friction += report.energy.friction;
     totals.energy.damping += report.energy.damping;
     totals.energy.repair += report.energy.repair;
-    update_boxes(scene, before, world.time(), world);
+    update_boxes(scene, before, due_until(world.time(), step), world);
   }
 }
 

@@ -222,8 +222,9 @@ const std::vector<TechniqueRecipe>& technique_library() {
       {"time_stepping", "2.6.3",
        "impacts and contacts of a step solved together at its start; bounces come up to a step "
        "early, elastic bodies that collide one after another in a step lose energy, small bodies "
-       "that fly several of their lengths in a step may pass through each other, friction is up to "
-       "8 % weaker between its eight directions, boxes on a rotating body drift unless "
+       "that fly several of their lengths or long ones that rotate by a radian in a step may pass "
+       "through each other, friction is up to 8 % weaker between its eight directions, boxes on a "
+       "rotating body drift unless "
        "pose=exponential",
        declared_options<TimeSteppingOptions>, make<TimeStepping, TimeSteppingOptions>},
       {"impulse", "2.5.2",
@@ -279,14 +280,15 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<SettlingOptions>, make<Settling, SettlingOptions>},
       {"optimised", "2.7.2",
        "nearest poses without overlap, then momenta; steps of any length; bounces may lose energy, "
-       "fast bodies may go round obstacles, flush edges slow sliding bodies, boxes on a rotating "
-       "body drift",
+       "fast and fast rotating bodies may go round obstacles, flush edges slow sliding bodies, "
+       "boxes on a rotating body drift",
        declared_options<OptimisedOptions>, make<Optimised, OptimisedOptions>},
       {"microcollisions", "2.5.2",
        "every contact is a series of tiny collisions at one point (Mirtich); nothing comes to "
        "rest, "
        "boxes creep down slopes, carried boxes drift, loose tiles slow and rotate sliding bodies, "
-       "an impact of faces leaves a spin, high stacks reach the limit on impacts",
+       "an impact of faces leaves a spin, high stacks and fast rotating bodies reach the limit on "
+       "impacts",
        declared_options<MicrocollisionsOptions>, make<Microcollisions, MicrocollisionsOptions>},
   };
   return library;

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <vector>
 
 namespace tumble::fuzz {
 namespace {
@@ -36,6 +37,26 @@ double scale_of(const LcpProblem& problem, int i) {
   if (problem.A(i, i) > 0.0) return problem.A(i, i);
   const double largest = problem.A.row(i).cwiseAbs().maxCoeff();
   return largest > 0.0 ? largest : 1.0;
+}
+
+// [m/s²] The largest load that pushes in the rows which a row is joined with by entries of A, in units of that row.
+double load_around(const LcpProblem& problem, const LcpResult& result, int row) {
+  const int n = problem.size();
+  std::vector<char> joined(idx(n), 0);
+  std::vector<int> found = {row};
+  joined[idx(row)] = 1;
+  double load = 0.0;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const int i = found[k];
+    if (is_equality(problem, i) || problem.b[i] < 0.0 || result.f[idx(i)] != 0.0)
+      load = std::max(load, std::abs(problem.b[i]) / std::sqrt(scale_of(problem, i)));
+    for (int j = 0; j < n; ++j) {
+      if (joined[idx(j)] != 0 || problem.A(j, i) == 0.0) continue;
+      joined[idx(j)] = 1;
+      found.push_back(j);
+    }
+  }
+  return load * std::sqrt(scale_of(problem, row));
 }
 
 // By its numbers, so that a finding shows itself again.
@@ -83,6 +104,10 @@ void require_solved(const LcpProblem& problem, const LcpResult& result, std::str
     const double wrong = equality ? a : std::min(scale_of(problem, i) * f, a);
     promise(std::abs(wrong) / loads <= kLargestResidual + rounding,
             row + ": residual = " + shortest_text(std::abs(wrong) / loads));
+    promise(std::abs(wrong) <= kLargestResidual * terms ||
+                std::abs(wrong) <= kLargestResidual * load_around(problem, result, i),
+            row + ": breaks its conditions by " + shortest_text(std::abs(wrong)) + " of " +
+                shortest_text(terms));
     promise(equality || f >= 0.0, row + ": f = " + shortest_text(f));
   }
 }

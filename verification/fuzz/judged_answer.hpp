@@ -9,7 +9,8 @@
 namespace tumble::fuzz {
 
 // Breaks the promise if an answer that is called solved is none: f finite, f >= 0 but in equalities, and a
-// residual of at most 1e-6, computed here, plus the rounding of the sums in A f + b.
+// residual of at most 1e-6, computed here, plus the rounding of the sums in A f + b; in each row also of its own terms, or
+// of the loads that push in rows joined with it.
 void require_solved(const LcpProblem& problem, const LcpResult& result, std::string_view solver);
 
 // Gives the problem to every solver of lcp_solvers(), each with its safeguards, and judges what is called solved, and

@@ -114,7 +114,9 @@ LcpProblem known_problem(ByteReader& in) {
   Random chance(in.seed());
   const int n = 1 + in.byte() % 10;
   const int rank = 1 + in.byte() % 10;
-  const double decades = 0.5 * (in.byte() % 7);  // of the units of rows
+  const std::uint8_t units = in.byte();
+  const double decades =
+      units < 224 ? 0.5 * (units % 7) : 2.0 * (units - 224);  // of the units of rows
   const bool equalities = in.byte() % 2 == 1;
   MatX J(n, rank);
   for (int i = 0; i < n; ++i) {

@@ -109,6 +109,77 @@ TEST_CASE("A row in small units is judged in its own units", "[exact][lcp][lcp_s
   CHECK(holds(problem, result));
 }
 
+TEST_CASE("A row that breaks its conditions is not excused by loads that do not reach it",
+          "[exact][lcp][lcp_solvers]") {
+  // A load that nothing can carry beside a huge one; then bodies between two walls, of which a row in
+  // a huge unit asks to move on, beside a row that separates.
+  const LcpProblem apart = lcp({0, 0, 0, 1}, {-1e-4, -1e23});
+  LcpProblem walls = lcp({1, -2, 0x1p47, -2, 4, -0x1p48, 0x1p47, -0x1p48, 0x1p94}, {1, 0, -3});
+  const LcpProblem unlike = lcp(
+      {0x1p-78, -3 * 0x1p-73, 0x1p-28, 0x1p38, -3 * 0x1p-73, 9 * 0x1p-68, -3 * 0x1p-23, -3 * 0x1p43,
+       0x1p-28, -3 * 0x1p-23, 0x1p22, 0x1p88, 0x1p38, -3 * 0x1p43, 0x1p88, 0x1p154},
+      {1, 0, -2, -1});
+  for (const LcpProblem& problem : {apart, walls, unlike})
+    for (const LcpRecipe& recipe : lcp_solvers()) {
+      CAPTURE(recipe.name, problem.b[0]);
+      if (takes(recipe.name, problem))
+        CHECK(solved_by(recipe.name, problem).status != LcpStatus::solved);
+    }
+  // As loads of known bodies, they may be rounding of the motion that separates.
+  LcpResult result;
+  result.f = {0, 0, 3 * 0x1p-94};
+  complete(walls, result);
+  CHECK_FALSE(holds(walls, result));
+  walls.factors.rows.resize(3);
+  CHECK(holds(walls, result));
+}
+
+TEST_CASE("Solvers agree on which problems of entries from 1e-120 to 1e120 have no solution",
+          "[unit][lcp][lcp_solvers]") {
+  Random random(47);
+  int contradictions = 0;
+  for (int k = 0; k < 1500; ++k) {
+    CAPTURE(k);
+    const double decades = k % 3 == 0 ? 12.0 : k % 3 == 1 ? 25.0 : 60.0;
+    const bool has_solution = k % 2 == 0;
+    const int n = 1 + static_cast<int>(random.unit() * 5);
+    const int rank = 1 + static_cast<int>(random.unit() * 5);
+    const auto small = [&] { return std::trunc(random.uniform(-3.99, 3.99)); };
+    MatX J(n, rank);
+    VecX unit(n);
+    for (int i = 0; i < n; ++i) {
+      unit[i] = std::ldexp(1.0, static_cast<int>(3.32 * random.uniform(-decades, decades)));
+      for (int r = 0; r < rank; ++r) J(i, r) = unit[i] * small();
+    }
+    LcpProblem problem{MatX::Zero(n, n), VecX::Zero(n), {}};
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) problem.A(i, j) = J.row(i).dot(J.row(j));
+    VecX f = VecX::Zero(n), a = VecX::Zero(n);
+    for (int i = 0; i < n; ++i) {
+      const double size = 1.0 + std::abs(small());
+      (random.unit() < 0.5 ? f[i] : a[i]) = size;
+      f[i] /= unit[i];
+      a[i] *= unit[i];
+      if (!has_solution) problem.b[i] = small();
+    }
+    if (has_solution)
+      for (int i = 0; i < n; ++i) problem.b[i] = a[i] - problem.A.row(i).dot(f);
+
+    bool solved = false, denied = false;
+    for (const LcpRecipe& recipe : lcp_solvers()) {
+      if (recipe.name == "baraff_as_printed" || !takes(recipe.name, problem)) continue;
+      const LcpResult result = solved_by(recipe.name, problem);
+      solved = solved || result.status == LcpStatus::solved;
+      denied = denied || result.status == LcpStatus::infeasible ||
+               result.status == LcpStatus::least_violation;
+    }
+    if (has_solution) CHECK(solved);
+    if (has_solution) CHECK_FALSE(denied);
+    contradictions += solved && denied ? 1 : 0;
+  }
+  CHECK(contradictions == 0);
+}
+
 TEST_CASE("A problem whose forces are too large for a number is not called infeasible",
           "[exact][lcp][lcp_solvers]") {
   const LcpProblem problem = lcp({2e-200, 0, 0, 2e-200}, {-1e200, 1e200});  // f = 5e399

@@ -346,7 +346,7 @@ TEST_CASE("A rod that turns by radians in a step gains no energy and comes to re
 TEST_CASE("A body that flies and turns by radians in a step keeps its energy", "[unit][contact]") {
   const Scene scene = spinning_plate();
   for (const char* technique :
-       {"impulse", "damped", "penalty", "faure", "analytic", "time_stepping", "basic",
+       {"impulse", "damped", "penalty", "faure", "analytic", "time_stepping", "basic", "optimised",
         "timewarp_simple", "timewarp_safer", "timewarp_swept", "timewarp_full"}) {
     Simulation simulation(scene, technique);
     simulation.update_boxes();

@@ -159,4 +159,8 @@ inline constexpr double rounding_overlap = 1e-12;
 /// edge of the two bodies. Reason: positions are typed with six digits. (4.4)
 inline constexpr double start_overlap = 1e-3;
 
+/// [-] How much too late, as a share of a step, a moment may be at which a box appears or disappears, and yet belong to
+/// the step that begins. Reason: the sum of a million steps of 1/60 s is off by up to a ten-thousandth of one. (3.1)
+inline constexpr double moment = 1e-3;
+
 }  // namespace tumble::tolerance

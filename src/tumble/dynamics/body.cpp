@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
+#include "tumble/dynamics/motion_limits.hpp"
 #include "tumble/dynamics/tolerances.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 // What makes any shape immovable: infinite mass, and inverses that are exactly zero.
 BodyProperties immovable(Shape shape, const Vec3& size, double friction, double restitution) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  require::not_negative(friction, "friction");
+  require_friction(friction);
   require::within(restitution, 0.0, 1.0, "restitution");
   BodyProperties body;
   body.shape = shape;
@@ -56,7 +57,7 @@ void require_moment(double moment, std::string_view which, const BodyProperties&
 BodyProperties box_properties(const Vec3& size, double mass, double friction, double restitution) {
   require_size(size);
   require::positive(mass, "mass");
-  require::not_negative(friction, "friction");
+  require_friction(friction);
   require::within(restitution, 0.0, 1.0, "restitution");
   BodyProperties body{.size = size, .mass = mass, .inverse_mass = 1.0 / mass};
   const Vec3 square = size.cwiseProduct(size);

@@ -62,7 +62,7 @@ struct BodyState {
 /// Principal moments \f$I = \tfrac{m}{12}(h^2+d^2,\; w^2+d^2,\; w^2+h^2)\f$ for size (w, h, d).
 /// \param size         [m] full edge lengths, each from tolerance::smallest_edge to largest_value
 /// \param mass         [kg] from tolerance::smallest_mass to largest_mass, and so the moments in kg m²
-/// \param friction     [-] at least 0
+/// \param friction     [-] 0 to tolerance::largest_friction
 /// \param restitution  [-] 0 to 1
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties box_properties(const Vec3& size, double mass, double friction = 0.5,
@@ -70,14 +70,14 @@ BodyProperties box_properties(const Vec3& size, double mass, double friction = 0
 
 /// An immovable box.
 /// \param size         [m] full edge lengths, each from tolerance::smallest_edge to largest_value
-/// \param friction     [-] at least 0
+/// \param friction     [-] 0 to tolerance::largest_friction
 /// \param restitution  [-] 0 to 1
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties fixed_box_properties(const Vec3& size, double friction = 0.5,
                                     double restitution = 0.0);
 
 /// The immovable half-space y <= 0.
-/// \param friction     [-] at least 0
+/// \param friction     [-] 0 to tolerance::largest_friction
 /// \param restitution  [-] 0 to 1
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties ground_properties(double friction = 0.5, double restitution = 0.0);

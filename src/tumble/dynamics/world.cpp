@@ -6,6 +6,7 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/base/tolerances.hpp"
+#include "tumble/dynamics/motion_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ namespace {
 void require_valid(const BodyProperties& body) {
   require::that(body.shape == Shape::box, "body.shape is ground: expected add_ground()");
   for (int k = 0; k < 3; ++k) require::positive(body.size[k], "body.size");
-  require::not_negative(body.friction, "body.friction");
+  require_friction(body.friction);
   require::within(body.restitution, 0.0, 1.0, "body.restitution");
   require::not_negative(body.inverse_mass, "body.inverse_mass");
   if (!body.movable()) {
@@ -53,6 +54,15 @@ void require_valid(const BodyProperties& body, const BodyState& state) {
   require::that(body.movable() ||
                     (state.linear_momentum_w.isZero(0.0) && state.angular_momentum_w.isZero(0.0)),
                 "an immovable body was given momentum: expected none");
+}
+
+void require_limits(const BodyProperties& body, const BodyState& state, std::string_view name) {
+  try {
+    require_motion_limits(body, state);
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    require::that(false, "body \"" + std::string(name) + "\": " + text.substr(text.find(' ') + 1));
+  }
 }
 
 }  // namespace
@@ -108,6 +118,7 @@ BodyId World::add(const BodyProperties& body, const BodyState& state, std::strin
     while (find(std::string_view("box" + std::to_string(number)))) ++number;
     name = "box" + std::to_string(number);
   }
+  require_limits(body, state, name);
   const BodyId id = append(body, state, std::move(name));
   ++boxes_added_;
   return id;
@@ -159,6 +170,7 @@ void World::set_state(BodyId id, const BodyState& state) {
   const auto i = static_cast<std::size_t>(index_of(id));
   require_valid(bodies_[i], state);
   require::that(bodies_[i].shape != Shape::ground, "the ground cannot be moved: it is y <= 0");
+  require_limits(bodies_[i], state, names_[i]);
   states_[i] = state;
   sleep_states_[i] = SleepState{};
 }

@@ -50,7 +50,8 @@ class World {
   /// \return its id, larger than every id given before
   /// \throws std::invalid_argument for properties that contradict one another, a ground (see
   ///         add_ground()), a state that is not finite, momentum of an immovable body, a name
-  ///         that is taken, or a mass too far from others (see MassRange); the world is then as before
+  ///         that is taken, a place or motion out of require_motion_limits(), or a mass too far from others (see
+  ///         MassRange); the world is then as before
   BodyId add(const BodyProperties& body, const BodyState& state, std::string name = "");
 
   /// Adds a body without a name of its own, see make_state() for where it is and how it moves.
@@ -91,21 +92,21 @@ class World {
   /// Changes a body's momenta by an impulse at a point and wakes it.
   /// \param impulse_w  [N s] world frame
   /// \param point_w    [m] where it acts, world frame
-  /// \throws std::invalid_argument if there is no such body, it is immovable, or a value is not
-  ///         finite
+  /// \throws std::invalid_argument if there is no such body, it is immovable, a value is not
+  ///         finite, or the motion is out of require_motion_limits()
   void push(BodyId id, const Vec3& impulse_w, const Vec3& point_w);
 
   /// Gives a body new velocities and wakes it.
   /// \param velocity_w          [m/s] world frame
   /// \param angular_velocity_w  [rad/s] world frame
-  /// \throws std::invalid_argument if there is no such body, it is immovable, or a value is not
-  ///         finite
+  /// \throws std::invalid_argument if there is no such body, it is immovable, a value is not
+  ///         finite, or the motion is out of require_motion_limits()
   void set_velocity(BodyId id, const Vec3& velocity_w, const Vec3& angular_velocity_w);
 
   /// Puts a body somewhere else and wakes it.
   /// \param state  its new state
-  /// \throws std::invalid_argument if there is no such body, a value is not finite, an immovable
-  ///         body is given momentum, or the body is the ground
+  /// \throws std::invalid_argument if there is no such body, a value is not finite or out of
+  ///         require_motion_limits(), an immovable body is given momentum, or the body is the ground
   void set_state(BodyId id, const BodyState& state);
 
   /// How many bodies there are, the ground included.

@@ -12,10 +12,10 @@
 #include "tumble/lcp_solvers/baraff.hpp"
 #include "tumble/lcp_solvers/enumerate.hpp"
 #include "tumble/lcp_solvers/gauss_seidel.hpp"
+#include "tumble/lcp_solvers/judge.hpp"
 #include "tumble/lcp_solvers/least_constraint.hpp"
 #include "tumble/lcp_solvers/lemke.hpp"
 #include "tumble/lcp_solvers/safeguard.hpp"
-#include "tumble/lcp_solvers/tolerances.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -70,15 +70,6 @@ void require_positive_diagonal(const MatX& A) {
     if (!(A(i, i) > 0.0)) require::positive(A(i, i), entry(i, i));
 }
 
-// What a force counts for in its own row: A_ii, or where that cannot be a measure, as in rows of
-// friction, the largest of the row.
-double yield_of(const MatX& A, int row) {
-  if (A(row, row) > 0.0) return A(row, row);
-  double largest = 0.0;
-  for (int j = 0; j < A.cols(); ++j) largest = std::max(largest, std::abs(A(row, j)));
-  return largest > 0.0 ? largest : 1.0;
-}
-
 // The sizes must be right. Each row is judged by the smaller of what its force and its
 // acceleration would have to change by: one of them has to be 0, and neither may be negative.
 double residual_of(const LcpProblem& problem, std::span<const double> f,
@@ -88,7 +79,7 @@ double residual_of(const LcpProblem& problem, std::span<const double> f,
   for (int i = 0; i < problem.size(); ++i) {
     const double wrong = is_equality(problem, i)
                              ? a[idx(i)]
-                             : std::min(yield_of(problem.A, i) * f[idx(i)], a[idx(i)]);
+                             : std::min(row_yield(problem.A, i) * f[idx(i)], a[idx(i)]);
     if (std::isnan(wrong) || std::isnan(f[idx(i)]) || std::isnan(a[idx(i)]))
       return std::numeric_limits<double>::quiet_NaN();
     worst = std::max(worst, std::abs(wrong));
@@ -169,26 +160,6 @@ void conclude(const LcpProblem& problem, LcpResult& result) {
   complete(problem, result);
   if (result.status == LcpStatus::solved && !holds(problem, result))
     result.status = LcpStatus::singular;
-}
-
-double scaled_residual(const LcpProblem& problem, const LcpResult& result) {
-  double worst = 0.0;
-  double largest = 0.0;
-  for (int i = 0; i < problem.size(); ++i) {
-    const double f = result.f[idx(i)];
-    const double a = result.a[idx(i)];
-    if (!std::isfinite(f) || !std::isfinite(a)) return std::numeric_limits<double>::infinity();
-    const double y = yield_of(problem.A, i);
-    const double wrong = is_equality(problem, i) ? a : std::min(y * f, a);
-    worst = std::max(worst, std::abs(wrong) / std::sqrt(y));
-    largest = std::max(largest, std::abs(problem.b[i]) / std::sqrt(y));
-  }
-  return largest > 0.0 ? worst / largest : worst;
-}
-
-bool holds(const LcpProblem& problem, const LcpResult& result) {
-  return result.residual <= tolerance::usable_residual &&
-         scaled_residual(problem, result) <= tolerance::usable_residual;
 }
 
 const std::vector<LcpRecipe>& lcp_solvers() {

@@ -117,8 +117,8 @@ void conclude(const LcpProblem& problem, LcpResult& result);
 ///         a number of f or a is not finite
 double scaled_residual(const LcpProblem& problem, const LcpResult& result);
 
-/// Whether an answer may be called solved: its residual and its scaled residual are at most
-/// `tolerance::usable_residual`.
+/// Whether an answer may be called solved: its residual, its scaled residual and its row residual (judge.hpp) are at
+/// most `tolerance::usable_residual`.
 /// \param problem  the problem
 /// \param result   after complete()
 /// \return false also if a number in it is not finite

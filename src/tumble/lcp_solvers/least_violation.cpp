@@ -40,9 +40,13 @@ void LeastViolation::solve(const LcpProblem& problem, LcpResult& result) {
   }
   complete(problem, result);
   if (result.status != LcpStatus::solved) return;
-  if (!(result.residual <= tolerance::inconsistent))
+  if (holds(problem, result)) return;
+  // A violation that the rounds do not see, beside loads so much larger, is no proof that there is no solution.
+  if (scaled_residual(problem, result) <= tolerance::lost_in_A)
+    result.status = LcpStatus::singular;
+  else if (!(result.residual <= tolerance::inconsistent))
     result.status = LcpStatus::infeasible;
-  else if (!holds(problem, result))
+  else
     result.status = LcpStatus::least_violation;
 }
 

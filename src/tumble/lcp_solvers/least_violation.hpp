@@ -21,8 +21,9 @@ namespace tumble {
 /// squares, after which there is one. Then the same is done once more with b + v from f = 0: without
 /// the growth, the forces stay small.
 /// \par How it ends
-/// By the residual of the answer: `solved` up to `tolerance::usable_residual`, `least_violation` up to
-/// `tolerance::inconsistent`, else `infeasible`; `not_positive_semidefinite` if A is seen not to be.
+/// `solved` if the answer passes holds(). Else by its residual: `least_violation` up to `tolerance::inconsistent`, above it
+/// `infeasible`; but `singular` if the violation does not show beside the largest load, so that the rounds are blind for it.
+/// `not_positive_semidefinite` if A is seen not to be.
 /// \par Cost
 /// Some ten problems of ComplementaritySolver, each with the start of the one before.
 /// \see Rockafellar, "Monotone operators and the proximal point algorithm", SIAM Journal on Control and

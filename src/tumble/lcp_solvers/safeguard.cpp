@@ -36,7 +36,9 @@ bool is_solved(const LcpProblem& problem, const LcpResult& result) {
 
 // A force that is below 0 by as little as a solution may be is 0: contacts do not pull. It is judged again with that.
 void end_pulls(const LcpProblem& problem, LcpResult& result) {
-  if (!is_solved(problem, result)) return;
+  if (result.status != LcpStatus::solved || !(result.residual <= tolerance::usable_residual) ||
+      !(scaled_residual(problem, result) <= tolerance::usable_residual))
+    return;
   bool any = false;
   for (int i = 0; i < problem.size(); ++i) {
     if (is_equality(problem, i) || !(result.f[idx(i)] < 0.0)) continue;

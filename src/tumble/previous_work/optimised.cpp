@@ -8,6 +8,7 @@
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/contact/impulse_work.hpp"
 #include "tumble/contact/movable_edge.hpp"
+#include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/integrate.hpp"
 #include "tumble/math/rotation.hpp"
@@ -44,7 +45,8 @@ StepReport Optimised::step(World& world, double dt) {
   // Where would all bodies fly?
   targets_.assign(world.states().begin(), world.states().end());
   for (std::size_t k = 0; k < targets_.size(); ++k)
-    fly(world.bodies()[k], targets_[k], world.gravity_w, dt, options_.rotation);
+    fly_in_micro_steps(world.bodies()[k], targets_[k], world.gravity_w, dt, options_.rotation,
+                       micro_step_of(world.bodies()[k], targets_[k], options_.rotation, dt));
   // As near to there as they can get, and then as fast as they may be.
   find_poses(world, dt, report);
   find_momenta(world, dt, report);
@@ -130,6 +132,7 @@ std::int64_t Optimised::solve(StepReport& report) {
 
 void Optimised::find_momenta(World& world, double dt, StepReport& report) {
   load_moving_bodies(world, free_);
+  end_spin_up(world);
   // What is missing to the target is energy that moving bodies there adds; and so is what the same angular momentum has at
   // another orientation.
   double lifted = 0.0, turned = 0.0;
@@ -164,6 +167,24 @@ void Optimised::find_momenta(World& world, double dt, StepReport& report) {
   for (std::size_t k = 0; k < moving_.size(); ++k)
     if (world.bodies()[k].movable() && !moving_[k].changed)
       world.states()[k].linear_momentum_w = targets_[k].linear_momentum_w;
+}
+
+// A long body that is turned aside far would spin about its short axis with an angular momentum across it, with many times its energy.
+// No impulse shows where that momentum goes, so it is the energy that it keeps. So does a rod that flies and spins about its length too
+// fast for its turns to be followed.
+void Optimised::end_spin_up(World& world) {
+  for (std::size_t k = 0; k < targets_.size(); ++k) {
+    if (!world.bodies()[k].movable()) continue;
+    Vec3& momentum_w = world.states()[k].angular_momentum_w;
+    const double before = momentum_w.dot(before_[k].angular_velocity_w);  // [J] twice the energy
+    const double now = momentum_w.dot(free_[k].angular_velocity_w);
+    const double most =
+        pushed_[k] != 0 ? tolerance::optimised_spin_up : tolerance::optimised_flight;
+    if (!(now > (1.0 + most) * before)) continue;
+    const double share = std::sqrt(before / now);
+    momentum_w *= share;
+    free_[k].angular_velocity_w *= share;
+  }
 }
 
 // Returns whether a point bounces.

@@ -71,7 +71,8 @@ struct OptimisedWork {
 ///
 /// **What it cannot do.** A bounce is at the end of its step, with the speed of the start of it. A body that is stopped on its way
 /// stays until the end of the step; one that is hit off its middle turns aside on its way and goes round the
-/// obstacle, without an impulse, if the way is long enough. It turns by half a turn in a step at most on its way; what turns farther takes the shorter one. Where the
+/// obstacle, without an impulse, if the way is long enough. It turns by half a turn in a step at most on its way; what turns farther takes the shorter one. A long body that is turned
+/// aside keeps its angular momentum, or the energy of its spin if that would grow by more than tolerance::optimised_spin_up. Where the
 /// rounds end before the way does, bodies stop where they are, the last tenth of the rounds parts them, and the step ends as StepStatus::event_cap.
 /// \par Cost and determinism
 /// At most `rounds` + 2 quadratic programs, each of `budget` steps of O(points). No allocation once warm.
@@ -98,6 +99,7 @@ class Optimised : public Technique {
   void find_poses(World& world, double dt, StepReport& report);
   double go_on(World& world, bool fly_on, double& reach, StepReport& report);
   void find_momenta(World& world, double dt, StepReport& report);
+  void end_spin_up(World& world);
   bool push(const World& world, double dt, bool bounce, StepReport& report);
   void give_pushes(const World& world, StepReport& report);
   void weaken(const World& world, StepReport& report);

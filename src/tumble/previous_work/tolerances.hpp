@@ -78,6 +78,13 @@ inline constexpr double optimised_step = 1e-5;
 /// has ended at its budget leaves a thousandth; where friction and pushes drive each other up, a third. (2.7.2)
 inline constexpr double optimised_lift = 0.1;
 
+/// [-] Energy of its spin that a body may gain in a step since it is turned aside. Reason: what a run may gain before it is
+/// reported; bodies that roll and tumble over edges gain and lose less. (2.7.2)
+inline constexpr double optimised_spin_up = 0.01;
+
+/// [-] The same for a body that flies. Reason: turns by a radian let its energy oscillate by up to 0.06. (2.7.2)
+inline constexpr double optimised_flight = 0.1;
+
 /// [-] Gap up to which points touch, over the shortest edge. Reason: ten times what the poses may miss. (2.7.2)
 inline constexpr double optimised_touch = 1e-3;
 

@@ -6,6 +6,7 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/mass_range.hpp"
+#include "tumble/dynamics/motion_limits.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/geometry/separation.hpp"
 #include "tumble/scenes/scene_joint.hpp"
@@ -68,20 +69,8 @@ void refuse_overlaps(const Scene& scene, const World& world) {
   }
 }
 
-// Squares and products of larger numbers would not be numbers.
-void require_limited(const Vec3& value, std::string_view name) {
-  require::finite(value, name);
-  if (value.cwiseAbs().maxCoeff() <= tolerance::largest_value) return;
-  require::that(false, std::string(name) + " = " + text_of(value) +
-                           ": expected three numbers from -" +
-                           shortest_text(tolerance::largest_value) + " to " +
-                           shortest_text(tolerance::largest_value));
-}
-
 BodyState state_of(const SceneBox& box, const BodyProperties& body) {
-  require_limited(box.position_w, "position_w");
-  require_limited(box.velocity_w, "velocity_w");
-  require_limited(box.angular_velocity_w, "angular_velocity_w");
+  require_motion_limits(body, box.position_w, box.velocity_w, box.angular_velocity_w);
   return make_state(body, box.position_w, box.orientation_wb, box.velocity_w,
                     box.angular_velocity_w);
 }
@@ -114,7 +103,7 @@ World start_world(Scene& scene) {
   if (scene.boxes.empty()) throw SceneMistake(-1, "box", ": a scene needs at least one");
   World world;
   try {
-    require_limited(scene.gravity_w, "gravity");
+    require_gravity(scene.gravity_w);
     if (scene.ground) world.add_ground(scene.ground->friction, scene.ground->restitution);
   } catch (const std::invalid_argument& error) {
     throw SceneMistake(-1, "", std::string(message_of(error)));
@@ -162,6 +151,8 @@ void add_box(const SceneBox& box, World& world) {
   const BodyProperties body = properties_of(box);
   world.add(body, state_of(box, body), box.name);
 }
+
+double due_until(double time, double dt) { return time + tolerance::moment * dt; }
 
 void update_boxes(const Scene& scene, double from, double until, World& world) {
   const auto now = [&](double time) { return time > from && time <= until; };

@@ -92,8 +92,8 @@ std::string_view message_of(const std::invalid_argument& error);
 /// \param scene  as written by a user or built by a program; then each box has a name
 /// \return the world at time 0
 /// \throws SceneMistake naming the first value that is wrong: no box, a size or mass that
-///         box_properties() refuses, a number that is not finite or above tolerance::largest_value, a quaternion that is not of length 1, a name that is used
-///         twice, is "ground" beside a ground or has control characters in it, a velocity of
+///         box_properties() refuses, a place or motion that require_motion_limits() refuses, a gravity that require_gravity() refuses,
+///         a quaternion that is not of length 1, a name that is used twice, is "ground" beside a ground or has control characters in it, a velocity of
 ///         a fixed box, a joint that join_bodies() refuses, or two boxes present at the start, not both fixed and
 ///         in no joint, that overlap by more than `tolerance::start_overlap` of the smaller one's smallest edge
 /// \par Cost
@@ -118,11 +118,19 @@ World build_world(const Scene& scene);
 /// \throws std::invalid_argument as World::add(), so if its name is taken by now
 void add_box(const SceneBox& box, World& world);
 
+/// The moment up to which boxes appear and disappear before a step: the time, and a little more since it is a sum of
+/// rounded steps.
+/// \param time  [s] when the step begins
+/// \param dt    [s] length of the step before it
+/// \return [s] the time and `tolerance::moment` of dt
+/// \verified{A box appears with the step that begins at its time, though times are sums of rounded steps}
+double due_until(double time, double dt);
+
 /// Removes the boxes that disappear, and adds those that appear, after `from` and until `until`, in the order of the
 /// scene.
 /// \param scene  the scene that the world was built from
-/// \param from   [s] the last time at which this was called; 0 at first
-/// \param until  [s] the time now
+/// \param from   [s] `until` of the last call; 0 at first
+/// \param until  [s] due_until() now
 /// \param world  in and out
 /// \throws std::invalid_argument if a name is taken by now
 void update_boxes(const Scene& scene, double from, double until, World& world);

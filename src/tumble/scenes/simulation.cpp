@@ -4,7 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/dynamics/energy.hpp"
-#include "tumble/dynamics/tolerances.hpp"
+#include "tumble/dynamics/motion_limits.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -92,29 +92,29 @@ void Simulation::change_bodies(const Change& change) {
 }
 
 void Simulation::update_boxes() {
-  if (!(world_.time() > updated_)) return;
-  const auto due = [&](double time) { return time > updated_ && time <= world_.time(); };
+  const double until = due_until(world_.time(), last_dt_);
+  if (!(until > updated_)) return;
+  const auto due = [&](double time) { return time > updated_ && time <= until; };
   if (std::any_of(scene_.boxes.begin(), scene_.boxes.end(),
                   [&](const SceneBox& box) { return due(box.appears) || due(box.disappears); }))
-    change_bodies([&] { tumble::update_boxes(scene_, updated_, world_.time(), world_); });
+    change_bodies([&] { tumble::update_boxes(scene_, updated_, until, world_); });
   earlier_ = updated_;
-  updated_ = world_.time();
+  updated_ = until;
 }
 
-void require_time_step(double dt) {
-  require::positive(dt, "dt");
-  require::within(dt, 0.0, tolerance::largest_value, "dt");
-}
+void require_time_step(double dt) { require_step_limits(dt, 0.0); }
 
 StepReport Simulation::step(double dt) {
-  require_time_step(dt);
+  require_step_limits(dt, world_.time());
   require_joints_held(*technique_, world_);
   update_boxes();
   StepReport report;
+  const double begin = world_.time();
   {
     const EventsOfStep events(observers_, *technique_);
     report = checked_step(*technique_, world_, dt);
   }
+  last_dt_ = world_.time() - begin;
   if (!all_finite(world_)) report.status = StepStatus::not_finite;
   for (Observer* observer : observers_) observer->on_step(world_, report);
   return report;

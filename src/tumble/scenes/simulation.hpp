@@ -17,15 +17,16 @@ namespace tumble {
 inline constexpr double kTimeStep = 1.0 / 60.0;
 
 /// Checks the length of a step.
-/// \param dt [s] above 0, at most tolerance::largest_value
+/// \param dt [s] from tolerance::shortest_step to longest_step
 /// \throws std::invalid_argument naming the value, for another one
 void require_time_step(double dt);
 
 /// The world of a scene and the technique that steps it.
 ///
-/// A box that appears or disappears later does so before the first step that begins at its time or after it. A program
-/// can add and remove boxes as well, by throw_in() and take_away(): these are written into the scene with their time, so
-/// that simulating scene() again with the same technique and the same steps gives the same bits.
+/// A box that appears or disappears later does so before the first step that begins at its time or after it, up to
+/// due_until(). A program can add and remove boxes as well, by throw_in() and take_away(): these are written into the
+/// scene with their time, so that simulating scene() again with the same technique and the same steps gives the
+/// same bits, as long as no step is a thousand times shorter than the one before.
 /// \verified{What was thrown and taken away is repeated by a run of the scene that is left}
 class Simulation {
  public:
@@ -64,7 +65,8 @@ class Simulation {
   /// Simulates one step: update_boxes(), then the technique's step.
   /// \param dt [s] as require_time_step() takes it
   /// \return the technique's report, with StepStatus::not_finite if a state is not finite after it
-  /// \throws std::invalid_argument for another dt, or joints that the technique does not support
+  /// \throws std::invalid_argument for another dt, also if require_step_limits() does not take it at this time, or for
+  ///         joints that the technique does not support
   /// \throws StepRefused if the technique refuses the world or the step
   /// \throws StepFault if a part of the step fails, for example because a state has become infinite; bodies may have
   ///         moved by then
@@ -116,8 +118,9 @@ class Simulation {
   Technique* technique_;
   World world_;
   std::vector<Observer*> observers_;
-  double updated_ = 0.0;  // [s] time of the last update_boxes()
-  double earlier_ = 0.0;  // [s] time of the last one before that time
+  double last_dt_ = 0.0;  // [s] length of the last step
+  double updated_ = 0.0;  // [s] up to when the last update_boxes() went
+  double earlier_ = 0.0;  // [s] the same for the last one before that time
 };
 
 }  // namespace tumble
