@@ -326,7 +326,7 @@ TEST_CASE("A step is divided by the turn of the fastest body", "[unit][contact]"
   CHECK(parts(0.9) == 1);
   CHECK(parts(7.5) == 8);
   CHECK(parts(1e5) == 1000);
-  CHECK(parts(1e9) == 1);  // parts would not help
+  CHECK(parts(3e8) == 1);  // parts would not help
 }
 
 TEST_CASE("A rod that turns by radians in a step gains no energy and comes to rest",

@@ -16,6 +16,13 @@
 namespace tumble {
 namespace {
 
+// [-] Sweeps over an island after restitution, at most. Reason: a bounce does not spread through a stack. (4.3)
+constexpr int kBounceSweeps = 10;
+// [-] The same over a small island. Reason: a row of twenty bodies parts by Newton's law at all points at once. (4.3)
+constexpr int kSmallBounceSweeps = 100;
+// [-] Friction and pressure in turn within a patch, in these sweeps. Reason: patches that bounce do not stick. (4.3)
+constexpr int kBouncePatchIterations = 20;
+
 // Points that are apart when their bodies have moved ask for nothing: a bounce may send one body towards the other.
 void release_open_points(const Island& island, ContactPatch& patch) {
   const Six u = motion_of(patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
@@ -28,15 +35,13 @@ void release_open_points(const Island& island, ContactPatch& patch) {
 
 // Sweeps over an island that bounces. Returns whether they have settled.
 bool sweep_bounce(const Island& island, StepReport& report) {
-  const int most_sweeps =
-      is_small(island) ? tolerance::small_bounce_sweeps : tolerance::bounce_sweeps;
+  const int most_sweeps = is_small(island) ? kSmallBounceSweeps : kBounceSweeps;
   for (int k = 0; k < most_sweeps; ++k) {
     double most = 0.0;
     for (const int contact : island.patch_indices) {
       ContactPatch& patch = island.all_patches[idx(contact)];
-      most = std::max(
-          most, solve_patch(patch, island.now[idx(patch.first)], island.now[idx(patch.second)],
-                            tolerance::bounce_patch_iterations));
+      most = std::max(most, solve_patch(patch, island.now[idx(patch.first)],
+                                        island.now[idx(patch.second)], kBouncePatchIterations));
     }
     ++report.iterations;
     report.impulses += static_cast<std::int64_t>(island.patch_indices.size());

@@ -136,18 +136,6 @@ double deepest_sinking(const Island& island) {
   return deepest;
 }
 
-double share_falling(const Island& island) {
-  Vec3 gained_w = Vec3::Zero();  // [kg m/s]
-  Vec3 given_w = Vec3::Zero();   // by gravity
-  for (const int k : island.bodies) {
-    const double mass = island.world.bodies()[idx(k)].mass;
-    gained_w += mass * (island.now[idx(k)].velocity_w - island.start[idx(k)].velocity_w);
-    given_w += mass * island.dt * island.world.gravity_w;
-  }
-  const double square = given_w.squaredNorm();
-  return square > 0.0 ? gained_w.dot(given_w) / square : 0.0;
-}
-
 double overlap_of_sinking(const Island& island) {
   double deepest = 0.0;
   for (const int contact : island.patch_indices) {

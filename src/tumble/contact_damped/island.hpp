@@ -119,11 +119,6 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 /// \return [-] the deepest, as a share of the shortest edge of its pair
 [[nodiscard]] double deepest_sinking(const Island& island);
 
-/// How much of its weight an island is not held up by: its momentum gains that share of what gravity gives it in the step.
-/// \param island  with velocities `now`
-/// \return [-] 0 at rest, 1 in free fall, below 0 if it is slowed down; 0 without gravity
-[[nodiscard]] double share_falling(const Island& island);
-
 /// How deep the points of an island that sink by more than tolerance::sinking in the step will be: that, and the overlap
 /// that is there.
 /// \param island  with velocities `now`

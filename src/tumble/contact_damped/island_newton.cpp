@@ -15,6 +15,14 @@ using island_math::raise;
 
 namespace {
 
+// [-] Evaluations of a line search, at most. Reason: secants halve the interval or better. (6.3.1)
+constexpr int kLineSearchEvaluations = 12;
+// [-] Share of the slope at the start of a Newton step at which its line search ends. Reason: the next step matters more than the
+// end of this one. (6.3.1)
+constexpr double kLineSearchSlope = 0.3;
+// [-] Share of the interval that a line search cuts off each time, at least. Reason: secants may stall. (6.3.1)
+constexpr double kLineSearchCut = 0.1;
+
 // Derivative of into_cone(a, mu) with respect to a. Symmetric, between 0 and 1.
 Mat3 slope_of_cone(const Vec3& a, double mu) {
   const double size = std::sqrt(a[0] * a[0] + a[1] * a[1]);
@@ -83,13 +91,13 @@ double IslandSolver::line_search(std::span<const ContactPatch> patches) {
   for (Point& p : points_) p.motion_change = p.motion - p.motion_change;
   const double start = slope(0.0);
   double at_high = slope(high);
-  const double small = tolerance::line_search_slope * std::abs(start);
+  const double small = kLineSearchSlope * std::abs(start);
   if (!(start < 0.0 && at_high > small)) return high;
   double low = 0.0, at_low = start;
   double share = high;
-  for (int k = 0; k < tolerance::line_search_evaluations; ++k) {
-    const double secant = std::clamp(at_low / (at_low - at_high), tolerance::line_search_cut,
-                                     1.0 - tolerance::line_search_cut);
+  for (int k = 0; k < kLineSearchEvaluations; ++k) {
+    const double secant =
+        std::clamp(at_low / (at_low - at_high), kLineSearchCut, 1.0 - kLineSearchCut);
     share = low + (high - low) * secant;
     move_along(share, patches);
     const double now = slope(share);

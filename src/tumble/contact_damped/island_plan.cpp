@@ -244,7 +244,6 @@ void sweep_quiet_island(const Island& island, const IslandEffort& effort, Island
   plan.residual = tolerance::solved_residual_exact * negligible;
   plan.skipped_residual = tolerance::solved_residual_exact * negligible;
   plan.fair_residual = tolerance::fair_quiet_residual * negligible / tolerance::contact_settled;
-  plan.fair_falling = tolerance::fair_falling;
 }
 
 }  // namespace tumble

@@ -52,15 +52,13 @@ struct IslandPlan {
   double skipped_residual = 0.0;    ///< [m/s] sweeps skip a patch below it
   double residual = 0.0;            ///< [m/s] sweeps end below it
   double fair_residual = 0.0;       ///< [m/s] below it sweeps were enough
-  double fair_falling =
-      std::numeric_limits<double>::infinity();  ///< [-] ditto, limit of share_falling()
-  bool while_halving = false;      ///< sweeps end if four of them do not halve the residual
-  double slow_approach = 0.0;      ///< [m/s] limit of approach_of_slow_patches()
-  bool sweep_unconverged = false;  ///< sweeps follow if the direct solver does not converge
-  bool quiet = false;              ///< a large island that does not move, and is not settled
-  IslandLimits direct;             ///< of the direct solver
-  IslandLimits normal;             ///< of its normal impulses alone
-  double overlap = 0.0;            ///< [-] share of the shortest edge beyond which these are found
+  bool while_halving = false;       ///< sweeps end if four of them do not halve the residual
+  double slow_approach = 0.0;       ///< [m/s] limit of approach_of_slow_patches()
+  bool sweep_unconverged = false;   ///< sweeps follow if the direct solver does not converge
+  bool quiet = false;               ///< a large island that does not move, and is not settled
+  IslandLimits direct;              ///< of the direct solver
+  IslandLimits normal;              ///< of its normal impulses alone
+  double overlap = 0.0;             ///< [-] share of the shortest edge beyond which these are found
 };
 
 /// The first sweeps over an island: one down, which changes nothing at rest; if it does, one up. In a large and quiet one that
@@ -108,7 +106,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
 [[nodiscard]] bool is_flat(const Island& island, const IslandEffort& effort);
 
 /// Changes the plan of a quiet and flat island that costs too much to solve at once: sweeps settle it within some hundred steps.
-/// Where they do not hold up its weight the direct solver still follows.
+/// Where they do not come near the direct solver still follows.
 /// \param island  one with IslandPlan::quiet
 /// \param effort  the work that is allowed
 /// \param plan    in and out

@@ -7,7 +7,6 @@
 #include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace tumble {
@@ -43,7 +42,7 @@ bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& f
     if (residual > 0.5 * before) break;
     before = residual;
   }
-  return residual < plan.fair_residual && std::abs(share_falling(island)) < plan.fair_falling;
+  return residual < plan.fair_residual;
 }
 
 // All patches together. Returns whether the direct solver accepted the island, and how far it got. In a small one that moves a
