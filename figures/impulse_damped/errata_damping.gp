@@ -1,16 +1,16 @@
 # Errata of damping and of the ending of overlap, one in each panel: dashed as printed, solid corrected.
 rows = 4
-each = 292.0
+each = 320.0
 tall = 10 + each*rows
 @PAGE
 stack = stem.'_stack.csv'
 stats stack using (column('printed_J')) name 'added' nooutput
 set multiplot
 unset key
-left(k) = k % 2 == 0 ? 0.105 : 0.605
+left(k) = k % 2 == 0 ? 0.12 : 0.615
 top(k) = 1 - (94.0 + each*(k/2))/tall
 # The name of the erratum and what its axis shows stand above each panel.
-PANEL = "set lmargin at screen left(k); set rmargin at screen left(k)+0.365; set tmargin at screen top(k); set bmargin at screen top(k)-135.0/tall; \
+PANEL = "set lmargin at screen left(k); set rmargin at screen left(k)+0.36; set tmargin at screen top(k); set bmargin at screen top(k)-135.0/tall; \
 set label 91 name at screen left(k)-0.085,top(k)+73.0/tall left textcolor rgb '#202020'; \
 set label 92 words at screen left(k)-0.085,top(k)+50.0/tall left textcolor rgb '#202020'; \
 set label 99 side at screen left(k)-0.085,top(k)+19.0/tall left textcolor rgb soft"
