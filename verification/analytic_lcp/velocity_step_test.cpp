@@ -11,7 +11,7 @@ using namespace tumble;
 using namespace tumble::test;
 
 // A world with velocities that can be stepped, without geometry: contacts are put down by hand.
-struct Scene {
+struct RandomScene {
   World world;
   std::vector<MovingBody> bodies;
   std::vector<Contact> contacts;
@@ -41,8 +41,8 @@ struct Scene {
 };
 
 // Four boxes, the first of them fixed or not, and random points between them.
-Scene random_scene(Random& random, bool with_fixed) {
-  Scene scene;
+RandomScene random_scene(Random& random, bool with_fixed) {
+  RandomScene scene;
   scene.world.gravity_w.setZero();
   for (int k = 0; k < 4; ++k) {
     const Vec3 size = Vec3::Constant(1.0) + random.in_cube(0.5);
@@ -80,7 +80,7 @@ TEST_CASE("Without restitution and forces no step raises the kinetic energy of 1
   double worst_sinking = 0.0;
   double worst_drag = 0.0;
   for (int trial = 0; trial < 1000; ++trial) {
-    Scene scene = random_scene(random, true);
+    RandomScene scene = random_scene(random, true);
     scene.options.directions = trial % 2 == 0 ? 4 : 8;
     const double before = scene.kinetic();
     if (!scene.solve().solved) {
@@ -107,9 +107,9 @@ TEST_CASE("A contact that is there twice changes nothing but the shares of its p
   Random random(79);
   double worst = 0.0;
   for (int trial = 0; trial < 200; ++trial) {
-    Scene once = random_scene(random, true);
+    RandomScene once = random_scene(random, true);
     once.contacts.resize(1);  // one point: the answer is unique
-    Scene twice = once;
+    RandomScene twice = once;
     twice.contacts.push_back(twice.contacts[0]);
     REQUIRE(once.solve().solved);
     REQUIRE(twice.solve().solved);
@@ -126,7 +126,7 @@ TEST_CASE("Restitution that would raise the energy is reduced, and that is count
   double worst_gain = 0.0;
   int unsolved = 0;
   for (int trial = 0; trial < 500; ++trial) {
-    Scene scene = random_scene(random, true);
+    RandomScene scene = random_scene(random, true);
     for (Contact& contact : scene.contacts) {
       contact.restitution = random.uniform(0.0, 1.0);
       contact.points[0].distance = 0.0;
@@ -148,7 +148,7 @@ TEST_CASE("Restitution that would raise the energy is reduced, and that is count
 TEST_CASE("A step leaves the bodies alone when it is refused",
           "[unit][velocity_step][analytic_lcp]") {
   Random random(89);
-  Scene scene = random_scene(random, true);
+  RandomScene scene = random_scene(random, true);
   scene.options.directions = 5;
   CHECK_THROWS_WITH(scene.solve(), Contains("directions"));
   scene.options.directions = 4;
