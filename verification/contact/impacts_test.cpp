@@ -10,7 +10,7 @@ using namespace tumble::impact_cases;
 
 namespace {
 
-struct Scene {
+struct TestScene {
   std::vector<Heavy> bodies;
   std::vector<MovingBody> moving;
   ContactList contacts;
@@ -40,8 +40,8 @@ struct Scene {
 };
 
 // Newton's cradle along x.
-Scene cradle(const std::vector<double>& speeds, double restitution) {
-  Scene s;
+TestScene cradle(const std::vector<double>& speeds, double restitution) {
+  TestScene s;
   for (std::size_t i = 0; i < speeds.size(); ++i) {
     const double x = static_cast<double>(i);
     s.bodies.push_back(box(Vec3(x, 0, 0), Vec3::Ones(), 1.0, Vec3(speeds[i], 0, 0)));
@@ -74,8 +74,8 @@ Contact face(int first, int second, const Vec3& center_w, double half, double fr
 }
 
 // n cubes on each other and on the ground, all falling at 1 m/s.
-Scene stack(int n, double restitution, double friction = 0.5) {
-  Scene s;
+TestScene stack(int n, double restitution, double friction = 0.5) {
+  TestScene s;
   s.bodies.push_back(fixed());
   for (int i = 0; i < n; ++i) {
     s.bodies.push_back(box(Vec3(0, i + 0.5, 0), Vec3::Ones(), 1.0, Vec3(0, -1, 0)));
@@ -85,7 +85,7 @@ Scene stack(int n, double restitution, double friction = 0.5) {
   return s;
 }
 
-double worst_difference(const Scene& s, const std::vector<double>& expected) {
+double worst_difference(const TestScene& s, const std::vector<double>& expected) {
   double worst = 0.0;
   for (std::size_t i = 0; i < expected.size(); ++i)
     worst = std::max(worst, (s.moving[i].velocity_w - Vec3(expected[i], 0, 0)).norm());
@@ -104,7 +104,7 @@ TEST_CASE("Newton's cradle solved at one stroke gives -1/3, 2/3, 2/3", "[exact][
                                     {{1, 0, 0, 0, 0}, {-0.6, 0.4, 0.4, 0.4, 0.4}},
                                     {{1, 1, 0, 0, 0}, {-0.2, -0.2, 0.8, 0.8, 0.8}}}};
   for (const Row& row : rows) {
-    Scene s = cradle(row.before, 1.0);
+    TestScene s = cradle(row.before, 1.0);
     const double energy = s.energy();
     const ImpactResult r = solver.resolve(s.contacts, s.moving, options);
     CHECK(r.status == ImpactStatus::done);
@@ -131,7 +131,7 @@ TEST_CASE("Newton's cradle solved one after the other throws the last ball out",
         {0.0435250820, 0.0453729648, 0.0472966406, 0.0492990625, 0.8145062500},
         10}}};
   for (const Row& row : rows) {
-    Scene s = cradle(row.before, row.e);
+    TestScene s = cradle(row.before, row.e);
     const double energy = s.energy();
     const ImpactResult r = solver.resolve(s.contacts, s.moving);
     CHECK(r.status == ImpactStatus::done);
@@ -143,7 +143,7 @@ TEST_CASE("Newton's cradle solved one after the other throws the last ball out",
 
 TEST_CASE("Cubes that touch with whole faces pass an impact on like balls", "[exact][impacts]") {
   // Along y, with four points a contact: each collision has a restitution of its own.
-  Scene s;
+  TestScene s;
   for (int i = 0; i < 4; ++i) {
     s.bodies.push_back(box(Vec3(0, i, 0), Vec3::Ones(), 1.0, Vec3(0, i == 0 ? 1.0 : 0.0, 0)));
     if (i > 0) s.contacts.push_back(face(i - 1, i, Vec3(0, i - 0.5, 0), 0.5, 0.5, 1.0));
@@ -165,7 +165,7 @@ TEST_CASE("Sequential passes on a stack of n take 20, 136, 550, 2204 to come to 
   ImpactSolver solver;
   for (const auto& row : rows) {
     const auto speed_after = [&](int passes) {
-      Scene s = stack(row[0], 0.0, 0.0);
+      TestScene s = stack(row[0], 0.0, 0.0);
       for (Contact& c : s.contacts) {  // one point each: the motion is along y alone
         c.count = 1;
         c.points[0].position_w.x() = 0.0;
@@ -191,7 +191,7 @@ TEST_CASE("Sequential passes on a stack of n take 20, 136, 550, 2204 to come to 
 TEST_CASE("A stack solved at one stroke is at rest at once", "[exact][impacts]") {
   ImpactOptions options{.order = ImpactOrder::simultaneous};
   ImpactSolver solver;
-  Scene s = stack(20, 0.0);
+  TestScene s = stack(20, 0.0);
   const ImpactResult r = solver.resolve(s.contacts, s.moving, options);
   CHECK(r.status == ImpactStatus::done);
   double worst = 0.0;
@@ -205,7 +205,7 @@ TEST_CASE("A stack solved at one stroke is at rest at once", "[exact][impacts]")
 TEST_CASE("A cube that cannot bounce off both of two closing walls is squeezed to rest",
           "[unit][impacts]") {
   // It touches both walls and moves against one: a rebound would drive it into the other.
-  Scene s;
+  TestScene s;
   s.bodies = {fixed(), box(Vec3(0, 0.5, 0), Vec3::Ones(), 1.0, Vec3(0, -1, 0)), fixed()};
   s.contacts = {face(0, 1, Vec3::Zero(), 0.5, 0.5, 0.8), face(1, 2, Vec3(0, 1, 0), 0.5, 0.5, 0.8)};
   s.load();
@@ -232,7 +232,7 @@ TEST_CASE("Impacts in random heaps never raise the energy", "[unit][impacts]") {
   Failures wrong;
   int not_done = 0;
   for (int i = 0; i < 600; ++i) {
-    Scene s;
+    TestScene s;
     s.bodies.push_back(fixed());
     double y = 0.0;
     for (int k = 1; k <= 4; ++k) {
@@ -274,7 +274,7 @@ TEST_CASE("Impacts in random heaps never raise the energy", "[unit][impacts]") {
 
 TEST_CASE("Bad options and contacts are refused by the impact solver", "[unit][impacts]") {
   ImpactSolver solver;
-  Scene s = stack(2, 0.3);
+  TestScene s = stack(2, 0.3);
   CHECK_THROWS_WITH(solver.resolve(s.contacts, s.moving, {.most_passes = 0}),
                     Contains("most_passes"));
   CHECK_THROWS_WITH(solver.resolve(s.contacts, s.moving, {.settled = -1.0}), Contains("settled"));

@@ -12,7 +12,7 @@ namespace {
 using namespace tumble;
 
 // Bodies with their momenta, and the pairs that push each other.
-struct Scene {
+struct TestScene {
   World world;
   std::vector<PushedPair> pairs;
 
@@ -68,7 +68,7 @@ Vec3 carried_point(const BodyState& start, const BodyState& end, const Vec3& poi
 }
 
 // [m] The largest difference between what two bodies make of a point.
-double gap(const Scene& scene, const std::vector<BodyState>& ended, int first, int second,
+double gap(const TestScene& scene, const std::vector<BodyState>& ended, int first, int second,
            const Vec3& point_w) {
   const std::span<const BodyState> start = scene.world.states();
   return (carried_point(start[idx(first)], ended[idx(first)], point_w) -
@@ -77,8 +77,8 @@ double gap(const Scene& scene, const std::vector<BodyState>& ended, int first, i
 }
 
 // Four unit cubes on the edge of a fixed box, turned about it by an angle, with a common spin.
-Scene column(const Vec3& spin_w, double angle) {
-  Scene scene;
+TestScene column(const Vec3& spin_w, double angle) {
+  TestScene scene;
   const Vec3 pivot_w(0.0, 2.0, 0.0);
   scene.add_fixed(Vec3(-2.0, 0.0, 0.0), Vec3(4.0, 4.0, 4.0));
   const Quat q = rotation_from_vector(Vec3(0.0, 0.0, angle));
@@ -90,7 +90,7 @@ Scene column(const Vec3& spin_w, double angle) {
 }
 
 // [m] and [rad] By how much the poses of two bodies against each other have changed.
-double change_of_shape(const Scene& scene, const std::vector<BodyState>& ended) {
+double change_of_shape(const TestScene& scene, const std::vector<BodyState>& ended) {
   const std::span<const BodyState> start = scene.world.states();
   double most = 0.0;
   for (std::size_t i = 1; i < ended.size(); ++i) {
@@ -114,7 +114,7 @@ TEST_CASE("A column that turns about an edge keeps its shape at any step",
           "[exact][exterior_rotation]") {
   for (const double h : {1.0 / 60, 0.1}) {
     for (const double omega : {0.1, 2.0, -10.0}) {
-      const Scene scene = column(Vec3(0.0, 0.0, omega), -0.3);
+      const TestScene scene = column(Vec3(0.0, 0.0, omega), -0.3);
       const std::vector<BodyState> ended = scene.moved(h);
       CHECK(change_of_shape(scene, ended) < 1e-13);  // [m, rad] measured: 3e-15
       CHECK(gap(scene, ended, 0, 1, Vec3(0.0, 2.0, 0.0)) < 1e-14);
@@ -135,7 +135,7 @@ TEST_CASE("A group that turns about a ball joint keeps its shape in three dimens
           "[exact][exterior_rotation]") {
   Random random(7);
   for (int run = 0; run < 100; ++run) {
-    Scene scene;
+    TestScene scene;
     const Vec3 pivot_w = random.in_cube(5.0);
     const Vec3 spin_w = random.in_cube(10.0);
     scene.add_fixed(pivot_w);
@@ -162,7 +162,7 @@ TEST_CASE("Joints with spins of their own stay closed, where a twist about the o
           "[exact][exterior_rotation]") {
   Random random(11);
   for (int run = 0; run < 100; ++run) {
-    Scene scene;
+    TestScene scene;
     const Vec3 pivot_w = random.in_cube(1.0);
     const Vec3 joint_w = pivot_w + random.in_cube(1.0);
     const Vec3 first_spin_w = random.in_cube(4.0);
@@ -203,7 +203,7 @@ TEST_CASE("Bodies that are stuck together in flight keep their shape and all mom
           "[exact][exterior_rotation]") {
   Random random(3);
   for (int run = 0; run < 50; ++run) {
-    Scene scene;
+    TestScene scene;
     scene.add_fixed(Vec3(0.0, -100.0, 0.0));
     const Vec3 spin_w = random.in_cube(5.0);
     const Vec3 drift_w = random.in_cube(5.0);
@@ -239,7 +239,7 @@ TEST_CASE("A box that slides and tips keeps its edge on a smooth floor, and goes
           "[exact][exterior_rotation]") {
   for (const double h : {1.0 / 60, 0.1}) {
     for (const double omega : {0.5, -3.0, 10.0}) {
-      Scene scene;
+      TestScene scene;
       const Vec3 edge_w(0.3, 0.0, 0.0);
       const Vec3 spin_w(0.0, 0.0, omega);
       const Vec3 center_w = edge_w + Vec3(-0.4, 0.6, 0.2);
@@ -258,7 +258,7 @@ TEST_CASE("A box that slides and tips keeps its edge on a smooth floor, and goes
 
 TEST_CASE("A body between a smooth floor and a smooth wall keeps to both",
           "[exact][exterior_rotation]") {
-  Scene scene;
+  TestScene scene;
   const Vec3 spin_w(0.0, 0.0, -1.5);
   const Vec3 foot_w(1.0, 0.0, 0.0);
   const Vec3 head_w(0.0, 2.0, 0.0);
@@ -282,7 +282,7 @@ TEST_CASE("A loop of joints opens by a length of second order in the step",
   // A parallelogram: two cranks on fixed pivots that turn alike, and a beam on both that does not turn;
   // one of the cranks is longer, so that the beam's ends go different ways to second order.
   const auto opened = [](double h) {
-    Scene scene;
+    TestScene scene;
     scene.add_fixed(Vec3::Zero());
     const double omega = 2.0;
     const Vec3 left_w(0.0, 1.0, 0.0);
@@ -311,7 +311,7 @@ TEST_CASE("Velocities that agree at the end of a move leave no gap either",
   const double h = 1.0 / 60;
   const Vec3 spin_w(1.0, -2.0, 6.0);
   const Quat turn = rotation_from_vector(h * spin_w);
-  Scene scene;
+  TestScene scene;
   scene.add_fixed(Vec3::Zero());
   const Vec3 first_w(0.5, 1.0, 0.0);
   const Vec3 second_w(0.5, 2.0, 0.5);
@@ -343,7 +343,7 @@ TEST_CASE("With accelerations carried bodies follow their circle exactly",
     const double omega = 1.5;
     const double alpha = 4.0;
     const Vec3 arm_w(0.5, 0.5, 0.0);
-    Scene scene;
+    TestScene scene;
     scene.add_fixed(Vec3::Zero());
     scene.add_turning(arm_w, Vec3::Zero(), omega * axis_w);
     scene.push(0, 1, Vec3::Zero());
@@ -369,7 +369,7 @@ TEST_CASE("With accelerations carried bodies follow their circle exactly",
 
 TEST_CASE("No body is carried without a push, and one that does not turn goes as it would",
           "[unit][exterior_rotation]") {
-  Scene scene;
+  TestScene scene;
   scene.add_fixed(Vec3::Zero());
   const int a = scene.add(Vec3(0.1, 1.3, 0.2), Vec3(1.0, 0.3, 0.1), Vec3(1.0, 2.0, 3.0));
   const int b = scene.add(Vec3(0.1, 2.3, 0.2), Vec3::Zero(), Vec3::Zero());
@@ -387,7 +387,7 @@ TEST_CASE("No body is carried without a push, and one that does not turn goes as
   CHECK(end == start);
   // A pair that slides faster than a hundredth of how fast turning moves the ends does not stick.
   for (const double slip : {0.9, 1.1}) {
-    Scene other;
+    TestScene other;
     other.add_fixed(Vec3::Zero());
     const Vec3 spin_w(0.0, 0.0, 2.0);
     const double ends = 0.5 * std::sqrt(3.0) * 2.0;
@@ -403,7 +403,7 @@ TEST_CASE("No body is carried without a push, and one that does not turn goes as
 
 TEST_CASE("Where a body is carried to is a continuous function of the time",
           "[unit][exterior_rotation]") {
-  const Scene scene = column(Vec3(0.0, 0.0, -6.0), -0.2);
+  const TestScene scene = column(Vec3(0.0, 0.0, -6.0), -0.2);
   const PivotUpdate carried = scene.carried();
   CHECK(carried.offset_w(4, 0.0).norm() == 0.0);
   Vec3 last_w = Vec3::Zero();
@@ -419,7 +419,7 @@ TEST_CASE("Where a body is carried to is a continuous function of the time",
 
 TEST_CASE("Carrying asks for no memory once it is warm, and rejects what does not fit",
           "[unit][exterior_rotation]") {
-  const Scene scene = column(Vec3(0.0, 0.0, -6.0), -0.2);
+  const TestScene scene = column(Vec3(0.0, 0.0, -6.0), -0.2);
   std::vector<MovingBody> moving = test::moving_bodies(scene.world);
   PivotUpdate carried;
   carried.find(scene.world.bodies(), moving, scene.pairs);
@@ -439,7 +439,7 @@ TEST_CASE("Carrying asks for no memory once it is warm, and rejects what does no
 TEST_CASE("A body that stands has its arm from the point on which it stands, and others have none",
           "[unit][exterior_rotation]") {
   // A column on an edge: each turns about the point that it has in common with the one below.
-  const Scene standing = column(Vec3(0.0, 0.0, 0.5), 0.3);
+  const TestScene standing = column(Vec3(0.0, 0.0, 0.5), 0.3);
   const PivotUpdate carried = standing.carried();
   CHECK_FALSE(carried.arm_w(0).has_value());  // the fixed box
   for (int b = 1; b <= 4; ++b) {
@@ -453,7 +453,7 @@ TEST_CASE("A body that stands has its arm from the point on which it stands, and
 
   // Two that are stuck together in flight, and one that flies by itself: the first of the two carries
   // the other and stands on nothing.
-  Scene flying;
+  TestScene flying;
   flying.add_turning(Vec3(0.0, 5.0, 0.0), Vec3(0.5, 5.0, 0.0), Vec3(0.0, 0.0, 2.0));
   flying.add_turning(Vec3(1.0, 5.0, 0.0), Vec3(0.5, 5.0, 0.0), Vec3(0.0, 0.0, 2.0));
   flying.add(Vec3(0.0, 9.0, 0.0), Vec3::UnitX(), Vec3::UnitZ());

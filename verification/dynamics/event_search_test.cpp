@@ -14,7 +14,7 @@ constexpr std::array<SearchMethod, 2> kMethods = {SearchMethod::discrete,
                                                   SearchMethod::conservative};
 
 // Bodies, and a flight over them.
-struct Scene {
+struct TestScene {
   std::vector<BodyProperties> bodies;
   std::vector<BodyState> states;
   std::vector<double> valid_times;
@@ -57,7 +57,7 @@ SearchOptions with(SearchMethod method, double resolution = 1e-6) {
   return SearchOptions{.method = method, .resolution = resolution};
 }
 
-FirstEvent first_event(const Scene& scene, double end, const SearchOptions& options,
+FirstEvent first_event(const TestScene& scene, double end, const SearchOptions& options,
                        double start = 0.0) {
   EventSearch search;
   return search.find(scene.flight(), scene.all_pairs(), start, end, options);
@@ -72,7 +72,7 @@ bool brackets(const FirstEvent& event, double exact, double resolution) {
 }  // namespace
 
 TEST_CASE("Two cubes that meet head-on do so at the time of the closed form", "[exact][search]") {
-  Scene scene;
+  TestScene scene;
   scene.add_cube(0.0, 1.0);
   scene.add_cube(2.0, -1.0);  // 1 m apart at 2 m/s
   for (const SearchMethod method : kMethods) {
@@ -98,7 +98,7 @@ TEST_CASE("Two cubes that meet head-on do so at the time of the closed form", "[
 
 TEST_CASE("A body 1 mm above the ground reaches it after 14.278 ms", "[exact][search]") {
   // An Euler step that is cut in two finds 10.096 ms, or nothing: flight is a flow, Euler is not.
-  Scene scene;
+  TestScene scene;
   scene.add(ground_properties(), BodyState{});
   scene.add(box_properties(Vec3::Ones(), 1.0), Vec3(0.0, 0.501, 0.0));
   scene.gravity_w = Vec3(0.0, -9.81, 0.0);
@@ -113,7 +113,7 @@ TEST_CASE("The corner of a turning cube reaches the ground at the time of the cl
           "[exact][search]") {
   // Centre at 0.7 m, corners 0.7071 m from it, turning about z at 2 rad/s: the lowest corner is at
   // 0.7 - sin(θ + 45°)/√2.
-  Scene scene;
+  TestScene scene;
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
   scene.add(ground_properties(), BodyState{});
   scene.add(cube, Vec3(0.0, 0.7, 0.0), Quat::Identity(), Vec3::Zero(), Vec3(0.0, 0.0, 2.0));
@@ -145,7 +145,7 @@ TEST_CASE("Between two spinning bars no overlap is missed that a fine grid of ti
   int checked = 0;
   int wrong = 0;
   for (int trial = 0; trial < 300; ++trial) {
-    Scene scene;
+    TestScene scene;
     scene.rule = rotation_rules()[static_cast<std::size_t>(trial % 4)];
     if (trial % 3 == 0) scene.micro_step = 0.0125;
     for (const double x : {-0.7, 0.7}) {
@@ -172,7 +172,7 @@ TEST_CASE("Between two spinning bars no overlap is missed that a fine grid of ti
 
 TEST_CASE("A third body that collided earlier restarts the discrete search", "[exact][search]") {
   // A reaches B after 1 s, which is found first; but C catches up with A after 0.5 s.
-  Scene scene;
+  TestScene scene;
   scene.add_cube(0.0, 2.0);   // A
   scene.add_cube(3.0, 0.0);   // B
   scene.add_cube(-1.5, 3.0);  // C
@@ -197,7 +197,7 @@ TEST_CASE("A third body that collided earlier restarts the discrete search", "[e
 
 TEST_CASE("A box that lands flat on two boxes is one event with two pairs, in any order",
           "[exact][search]") {
-  Scene scene;
+  TestScene scene;
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
   scene.add(ground_properties(), BodyState{});
   scene.add(cube, Vec3(-1.0, 0.5, 0.0));
@@ -228,7 +228,7 @@ TEST_CASE("A box that lands flat on two boxes is one event with two pairs, in an
 TEST_CASE("Pairs that overlap at the start are listed apart and never found by bisection",
           "[exact][search]") {
   for (const SearchMethod method : kMethods) {
-    Scene scene;
+    TestScene scene;
     scene.add_cube(0.0, 1.0);
     scene.add_cube(0.75, 0.0);  // 0.25 m deep, and deeper soon
     scene.add_cube(3.0, -1.0);  // reaches the second after 1.25 s
@@ -254,13 +254,13 @@ TEST_CASE(
     "once",
     "[exact][search]") {
   for (const SearchMethod method : kMethods) {
-    Scene parting;
+    TestScene parting;
     parting.add_cube(0.0, -1.0);
     parting.add_cube(1.0, 1.0);
     const FirstEvent none = first_event(parting, 1.0, with(method));
     CHECK(none.status == CollisionStatus::none);
     CHECK(none.pair_tests <= 4);
-    Scene pressing;
+    TestScene pressing;
     pressing.add_cube(0.0, 1.0);
     pressing.add_cube(1.0, -1.0);
     const FirstEvent at_once = first_event(pressing, 0.75, with(method));
@@ -273,7 +273,7 @@ TEST_CASE("Bodies with different valid times are searched from their own states"
           "[exact][search]") {
   // As after an event of the timewarp: the first body is valid at 0.25, the second at 0. Each
   // moves on its own arc; the positions below are those at its valid time.
-  Scene scene;
+  TestScene scene;
   scene.add_cube(0.5, 0.5);
   scene.add_cube(3.0, -1.0);
   scene.valid_times = {0.25, 0.0};
@@ -291,7 +291,7 @@ TEST_CASE("A body flown to the time of an event has the bits that the search saw
   int found = 0;
   int overlapping = 0;
   for (int trial = 0; trial < 200; ++trial) {
-    Scene scene;
+    TestScene scene;
     scene.rule = rotation_rules()[static_cast<std::size_t>(trial % 4)];
     scene.gravity_w = Vec3(0.0, -9.81, 0.0);
     scene.add(ground_properties(), BodyState{});
@@ -313,7 +313,7 @@ TEST_CASE("A body flown to the time of an event has the bits that the search saw
 }
 
 TEST_CASE("A cap that is reached is a status, at a time where bodies are apart", "[unit][search]") {
-  Scene scene;
+  TestScene scene;
   scene.add_cube(0.0, 1.0);
   scene.add_cube(2.0, -1.0);
   SearchOptions few = with(SearchMethod::discrete);
@@ -346,7 +346,7 @@ TEST_CASE("Random piles are searched without hanging, and what is found is true"
   int capped = 0;
   std::int64_t tests = 0;
   for (int trial = 0; trial < 400; ++trial) {
-    Scene scene;
+    TestScene scene;
     scene.gravity_w = trial % 3 == 0 ? Vec3::Zero() : Vec3(0.0, -9.81, 0.0);
     scene.rule = rotation_rules()[static_cast<std::size_t>(trial % 4)];
     scene.add(ground_properties(), BodyState{});
@@ -392,7 +392,7 @@ TEST_CASE("Random piles are searched without hanging, and what is found is true"
 }
 
 TEST_CASE("A warm search does not allocate", "[unit][search]") {
-  Scene scene;
+  TestScene scene;
   for (int i = 0; i < 6; ++i) scene.add_cube(1.5 * i, -1.0 * i);
   scene.add_cube(0.5, 0.0);
   const std::vector<IndexPair> pairs = scene.all_pairs();
@@ -406,7 +406,7 @@ TEST_CASE("A warm search does not allocate", "[unit][search]") {
 
 TEST_CASE("Searches refuse flights, intervals, pairs and options that make no sense",
           "[unit][search]") {
-  Scene scene;
+  TestScene scene;
   scene.add_cube(0.0, 1.0);
   scene.add_cube(2.0, -1.0);
   EventSearch search;
@@ -435,7 +435,7 @@ TEST_CASE("Searches refuse flights, intervals, pairs and options that make no se
 }
 
 TEST_CASE("Two immovable bodies are never an event", "[unit][search]") {
-  Scene scene;
+  TestScene scene;
   const BodyProperties fixed = fixed_box_properties(Vec3::Ones());
   scene.add(ground_properties(), BodyState{});
   scene.add(fixed, Vec3(0.0, 0.25, 0.0));
