@@ -135,7 +135,7 @@ TEST_CASE("An invalid parameter of a filter is refused with the text and the exp
       {"one_euro:1Hz,1,1Hz,1", "too many commas", "one_euro:CUTOFF"},
   };
   for (const auto& [text, wrong, remedy] : cases) {
-    const std::string message = refusal_of([&] { (void)filter_of(text); });
+    const std::string message = refusal_of([&text = text] { (void)filter_of(text); });
     CAPTURE(text, message);
     CHECK(has(message, wrong));
     CHECK(has(message, remedy));

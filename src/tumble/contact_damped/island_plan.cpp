@@ -216,7 +216,8 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   if (moves(speed) && !small)
     plan.direct.early_stop_residual = tolerance::moving_residual * unit_speed;
   if (first.nearly_solved) plan.direct.near = tolerance::nearly_solved * negligible;
-  plan.quiet = quiet && effort.admm_iterations > 0;
+  plan.sweeps_may_do = quiet && effort.admm_iterations > 0 &&
+                       island.levels <= swept_within(island, effort, tolerance::loose_sweeps);
   plan.sweep_unconverged = moves(speed) && small;
   plan.direct.unit_speed = unit_speed;
   plan.direct.max_work = tolerance::max_factor_work;
@@ -231,10 +232,6 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
        {&plan.max_sweeps, &plan.direct.max_iterations, &plan.direct.max_newton_steps})
     *count = (*count + effort.parts - 1) / effort.parts;
   return plan;
-}
-
-bool is_flat(const Island& island, const IslandEffort& effort) {
-  return island.levels <= swept_within(island, effort, tolerance::loose_sweeps);
 }
 
 void sweep_quiet_island(const Island& island, const IslandEffort& effort, IslandPlan& plan) {

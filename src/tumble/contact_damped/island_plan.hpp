@@ -55,10 +55,12 @@ struct IslandPlan {
   bool while_halving = false;       ///< sweeps end if four of them do not halve the residual
   double slow_approach = 0.0;       ///< [m/s] limit of approach_of_slow_patches()
   bool sweep_unconverged = false;   ///< sweeps follow if the direct solver does not converge
-  bool quiet = false;               ///< a large island that does not move, and is not settled
-  IslandLimits direct;              ///< of the direct solver
-  IslandLimits normal;              ///< of its normal impulses alone
-  double overlap = 0.0;             ///< [-] share of the shortest edge beyond which these are found
+  /// If it costs too much to solve at once: it is large and quiet, and has no more levels of support than a step has sweeps. In a
+  /// higher one weight does not get through.
+  bool sweeps_may_do = false;
+  IslandLimits direct;   ///< of the direct solver
+  IslandLimits normal;   ///< of its normal impulses alone
+  double overlap = 0.0;  ///< [-] share of the shortest edge beyond which these are found
 };
 
 /// The first sweeps over an island: one down, which changes nothing at rest; if it does, one up. In a large and quiet one that
@@ -99,15 +101,9 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
 /// \return the plan
 IslandPlan plan_island(const Island& island, const FirstSweeps& first, const IslandEffort& effort);
 
-/// Whether the sweeps of a step are as many as the levels of support in an island. In a higher one weight does not get through.
-/// \param island  the island
-/// \param effort  the work that is allowed
-/// \return true if so
-[[nodiscard]] bool is_flat(const Island& island, const IslandEffort& effort);
-
-/// Changes the plan of a quiet and flat island that costs too much to solve at once: sweeps settle it within some hundred steps.
+/// Changes the plan of a quiet island that costs too much to solve at once: sweeps settle it within some hundred steps.
 /// Where they do not come near the direct solver still follows.
-/// \param island  one with IslandPlan::quiet
+/// \param island  one with IslandPlan::sweeps_may_do
 /// \param effort  the work that is allowed
 /// \param plan    in and out
 void sweep_quiet_island(const Island& island, const IslandEffort& effort, IslandPlan& plan);

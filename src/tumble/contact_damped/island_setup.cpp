@@ -39,10 +39,9 @@ std::array<double, ContactPatch::kMostPoints> point_pressures(const ContactPatch
 void IslandSolver::load(std::span<const int> bodies, std::span<const int> contacts,
                         std::span<const MovingBody> free, std::span<const ContactPatch> patches,
                         std::span<const MovingBody> now, FrictionLaw law) {
-  member_of_.resize(now.size(), -1);
+  number_members(bodies, now.size());
   members_.clear();
   for (const int body : bodies) {
-    member_of_[idx(body)] = static_cast<int>(members_.size());
     Member& member = members_.emplace_back();
     member.mass = 1.0 / now[idx(body)].inverse_mass.x();
     member.inertia_w = now[idx(body)].inverse_inertia_w.inverse();
@@ -69,7 +68,7 @@ void IslandSolver::load(std::span<const int> bodies, std::span<const int> contac
     load_points(patch, heaviest, law);
     constraint.end = static_cast<int>(points_.size());
   }
-  for (const int body : bodies) member_of_[idx(body)] = -1;
+  forget_members(bodies);
   x_.resize(members_.size());
   newton_start_.resize(members_.size());
   // Factorization takes square roots. In units of about a body's mass, scaling all masses by a power of two
@@ -79,23 +78,29 @@ void IslandSolver::load(std::span<const int> bodies, std::span<const int> contac
   unit_mass_ = std::ldexp(1.0, -power);
 }
 
-bool IslandSolver::costs_more_than(double most, std::span<const int> bodies,
-                                   std::span<const int> contacts,
-                                   std::span<const ContactPatch> patches) {
-  joined_.clear();
-  int last = 0;
-  for (const int body : bodies) last = std::max(last, body);
-  member_of_.resize(std::max(member_of_.size(), idx(last + 1)), -1);
+// Numbers the bodies that are solved for, in member_of_. To be forgotten after use.
+void IslandSolver::number_members(std::span<const int> bodies, std::size_t all) {
+  member_of_.resize(all, -1);
   int members = 0;
   for (const int body : bodies) member_of_[idx(body)] = members++;
-  const auto member = [&](int body) { return body <= last ? member_of_[idx(body)] : -1; };
+}
+
+void IslandSolver::forget_members(std::span<const int> bodies) {
+  for (const int body : bodies) member_of_[idx(body)] = -1;
+}
+
+bool IslandSolver::costs_more_than(double most, std::span<const int> bodies,
+                                   std::span<const int> contacts,
+                                   std::span<const ContactPatch> patches, std::size_t all) {
+  number_members(bodies, all);
+  joined_.clear();
   for (const int contact : contacts) {
-    const int first = member(patches[idx(contact)].first);
-    const int second = member(patches[idx(contact)].second);
+    const int first = member_of_[idx(patches[idx(contact)].first)];
+    const int second = member_of_[idx(patches[idx(contact)].second)];
     if (first >= 0 && second >= 0) joined_.push_back({first, second});
   }
-  for (const int body : bodies) member_of_[idx(body)] = -1;
-  matrix_.analyse(members, joined_);
+  forget_members(bodies);
+  matrix_.analyse(static_cast<int>(bodies.size()), joined_);
   return static_cast<double>(matrix_.multiplications_of_factor()) > most;
 }
 

@@ -115,9 +115,10 @@ class IslandSolver {
   /// \param bodies    indices of the island's movable bodies
   /// \param contacts  places of its patches in `patches`
   /// \param patches   the patches of the step
+  /// \param all       bodies of the world
   /// \return true if so
   bool costs_more_than(double most, std::span<const int> bodies, std::span<const int> contacts,
-                       std::span<const ContactPatch> patches);
+                       std::span<const ContactPatch> patches, std::size_t all);
 
   /// Finds the normal impulses with which nothing approaches, friction held as it is.
   ///
@@ -179,6 +180,8 @@ class IslandSolver {
   void load(std::span<const int> bodies, std::span<const int> contacts,
             std::span<const MovingBody> free, std::span<const ContactPatch> patches,
             std::span<const MovingBody> now, FrictionLaw law);
+  void number_members(std::span<const int> bodies, std::size_t all);
+  void forget_members(std::span<const int> bodies);
   void load_points(const ContactPatch& patch, double heaviest, FrictionLaw law);
   bool costs_too_much(double max_work);
   void begin_iterations(std::span<const ContactPatch> patches, double unit_speed, FrictionLaw law);

@@ -184,9 +184,9 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
   // to do. Another one up, as support goes, shows whether sweeps converge.
   const FirstSweeps first = sweep_first(island, direct_last_step, report);
   IslandPlan plan = plan_island(island, first, effort());
-  if (plan.quiet && is_flat(island, effort()) &&
-      memory_.island_solver.costs_more_than(tolerance::quiet_factor_work, island.bodies,
-                                            island.patch_indices, island.all_patches))
+  if (plan.sweeps_may_do && memory_.island_solver.costs_more_than(
+                                tolerance::quiet_factor_work, island.bodies, island.patch_indices,
+                                island.all_patches, island.now.size()))
     sweep_quiet_island(island, effort(), plan);
   if (plan.discard_warm_start) discard_impulses(island);
   accept(island, plan, run_plan(island, plan, first, report), report);
