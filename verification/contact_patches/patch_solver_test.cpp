@@ -63,6 +63,22 @@ double largest(const Six& motion) {
 
 }  // namespace
 
+TEST_CASE("A point that pushes goes on touching when it rises by a tenth of the slop",
+          "[exact][contact_damped]") {
+  OnGround box(0.5);
+  ContactPatchPoint& p = box.patch.points[0];
+  for (const double rise : {1.05, 1.2}) {
+    for (const double impulse : {0.0, 1.0}) {
+      p.gap = rise * tolerance::contact_slop;
+      p.impulse = impulse;
+      set_targets(tolerance::contact_slop, kStep, box.patch);
+      const bool touches = impulse > 0.0 && rise < tolerance::kept_touch;
+      CHECK(p.target ==
+            near(touches ? 0.0 : (1.0 - rise) * tolerance::contact_slop / kStep, 1e-18));
+    }
+  }
+}
+
 TEST_CASE("A box that turns about an edge has a patch whose middle does not slide",
           "[exact][contact_damped]") {
   // Its face rises from the edge by a hundredth of a metre; points halfway are 2.5 mm above the ground on average.

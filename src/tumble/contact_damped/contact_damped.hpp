@@ -66,8 +66,8 @@ struct ContactDampedOptions {
 /// conserved. Friction, torsion and the inelastic normal impulse are the only dissipation.
 ///
 /// **A step**, as step() does it, for each of its parts. It has one, unless boxes that move against each other by half an edge
-/// or more meet (time_to_fast_meeting()), a body that may touch another turns by more than a radian, a bounce sends a body on
-/// towards another (time_to_first_bounce()), or ContactDampedOptions::parts asks for more:
+/// or more meet (time_to_fast_meeting()), a body that may touch another turns by more than a radian, an impact makes one turn
+/// so far that it would sink into another, a bounce sends a body on towards another (time_to_first_bounce()), or ContactDampedOptions::parts asks for more:
 /// 1. Velocities get their share of gravity.
 /// 2. Contact patches are found at the start of the step, where bodies touch or will within it, and kept while
 ///    their bodies rest (PersistentManifolds). They are grouped by islands (IslandOrder).
@@ -150,7 +150,8 @@ class ContactDamped : public Technique {
     int parts = 1;      // into which it is divided
     std::int64_t work =
         0;  // sweeps and iterations in the step so far, each times the patches of its island
-    bool crowded = false;  // small islands in motion are too many to solve each as if by itself
+    bool small_sinks = false;  // bodies of a small island sink into each other by turning
+    bool crowded = false;      // small islands in motion are too many to solve each as if by itself
     std::vector<Bounds> bounds;
     std::vector<IndexPair> candidates;  // pairs that may touch
     std::vector<IndexPair> touching;    // bodies of the patches

@@ -24,6 +24,13 @@ double distance_after(const Island& island, const BodyMotion& motion, const Cont
       .distance;
 }
 
+// Whether a body turns in the step so far that it shows, or would without contacts: targets allow for that.
+bool turns(const Island& island, int k) {
+  return island.dt * std::max(island.now[idx(k)].angular_velocity_w.norm(),
+                              island.free[idx(k)].angular_velocity_w.norm()) >
+         tolerance::turn_that_shows;
+}
+
 // What the points of a patch leave out: its bodies turn in the step, and with them its normal.
 struct Turned {
   double deeper = 0.0;    // [m] more overlap than at the start of the step
@@ -31,12 +38,8 @@ struct Turned {
 };
 
 Turned turned_in_step(const Island& island, const BodyMotion& motion, const ContactPatch& patch) {
-  const MovingBody& first = island.now[idx(patch.first)];
-  const MovingBody& second = island.now[idx(patch.second)];
-  const double turn =
-      island.dt * std::max(first.angular_velocity_w.norm(), second.angular_velocity_w.norm());
-  if (!(turn > tolerance::turn_that_shows)) return {};
-  const Six u = motion_of(patch, first, second);
+  if (!turns(island, patch.first) && !turns(island, patch.second)) return {};
+  const Six u = motion_of(patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
   double expected = std::numeric_limits<double>::infinity();
   double overlap = 0.0;
   for (const ContactPatchPoint& p : patch.used()) {
@@ -56,7 +59,9 @@ double farthest_turn(const Island& island) {
 
 // The most that bodies of an island sink into each other in the step by turning, as a share of the size.
 double sunk_by_turning(const Island& island, const BodyMotion& motion) {
-  if (!(farthest_turn(island) > tolerance::turn_that_shows)) return 0.0;  // as at rest
+  if (std::none_of(island.bodies.begin(), island.bodies.end(),
+                   [&](int k) { return turns(island, k); }))
+    return 0.0;  // as at rest
   double most = 0.0;
   for (const int contact : island.patch_indices) {
     const ContactPatch& patch = island.all_patches[idx(contact)];
@@ -115,9 +120,11 @@ void ContactDamped::solve_missed(const World& world, double dt, StepReport& repo
 
 // Impulses hold points along the normal of the start of the step. A body that turns takes the normal with it, and its corners
 // along an arc. Where bodies so sink into each other, points are asked for as much more, and the island is solved again.
-// Solutions with which they sink further, or that make a body spin, are not taken.
+// Solutions with which they sink further, or that make a body spin, are not taken. Notes whether bodies of a small island sink all
+// the same: step_part() makes a shorter part then.
 void ContactDamped::solve_turning(const World& world, double dt, StepReport& report) {
   const BodyMotion motion{dt, options_.rotation, storage_.in_flight};
+  storage_.small_sinks = false;
   for (int k = 0; k < memory_.order.islands().count(); ++k) {
     const Island island = view_of_island(world, k, dt);
     // [S6.3.1:turning]
@@ -136,6 +143,7 @@ void ContactDamped::solve_turning(const World& world, double dt, StepReport& rep
       sunk = now;
     }
     // [S6.3.1:turning]
+    if (is_small(island) && sunk > tolerance::sunk_by_turning) storage_.small_sinks = true;
   }
 }
 

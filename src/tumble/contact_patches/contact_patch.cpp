@@ -236,8 +236,6 @@ void scale_impulses(double factor, ContactPatch& patch) {
   }
 }
 
-bool is_apart(double gap, double slop) { return gap > (1.0 + tolerance::planar_targets) * slop; }
-
 void set_targets(double slop, double dt, ContactPatch& patch) {
   bool all_touch = true;
   // [S6.3.1:targets]

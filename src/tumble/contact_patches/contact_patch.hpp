@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/contact/moving_body.hpp"
+#include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/dynamics/body.hpp"
 #include "tumble/geometry/manifold.hpp"
 
@@ -162,12 +163,14 @@ void scale_impulses(double factor, ContactPatch& patch);
 /// Whether a point does not touch. One that rests a slop above the other body stays there, whatever rounding does.
 /// \param gap   [m] of the point
 /// \param slop  [m] smaller gaps count as touching, and those larger by a hundredth
-[[nodiscard]] bool is_apart(double gap, double slop);
+[[nodiscard]] inline bool is_apart(double gap, double slop) {
+  return gap > (1.0 + tolerance::planar_targets) * slop;
+}
 
 /// Sets the least normal velocities of the points for a step.
 ///
 /// A point with the gap d may close it up to the slop, \f$v_n \ge -(d - s)/\Delta t\f$; one
-/// that touches or overlaps may not approach. Finds also whether one motion of the patch meets all targets.
+/// that touches or overlaps may not approach. A point that pushes touches up to tolerance::kept_touch. Finds also whether one motion of the patch meets all targets.
 /// \param slop   [m] smaller gaps count as touching
 /// \param dt     [s] of the step
 /// \param patch  targets, targets_planar and target_motion are overwritten
