@@ -31,7 +31,6 @@ class PassingContacts {
  public:
   /// Adds contacts.
   /// \param world     the bodies at the start of the step
-  /// \param bodies    how they move, one for each body index
   /// \param pairs     that may meet, in ascending order
   /// \param dt        [s] the step
   /// \param contacts  in and out, in ascending order

@@ -40,8 +40,7 @@ using Quat = Eigen::Quaterniond;  ///< orientation, body to world; constructor o
 /// pairs of bodies are ever visited.
 enum class BodyId : std::uint32_t {};
 
-/// The number behind an id, for printing and hashing.
-/// \return its number, from 0
+/// The number behind an id, for printing and hashing: its number, from 0.
 constexpr std::uint32_t number_of(BodyId id) { return static_cast<std::uint32_t>(id); }
 
 }  // namespace tumble

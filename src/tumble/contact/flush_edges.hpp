@@ -26,8 +26,6 @@ namespace tumble {
 /// one so, and would be stopped by it.
 ///
 /// Both are closed along the direction in which they are apart.
-/// \param pair      indices of both
-/// \param contacts  of this moment
 /// \return whether the pair can be left out; false if one of them is the ground, which has no edges
 /// \par Cost
 /// One or two calls of separation(), and a look at all contacts if the edge has no height.

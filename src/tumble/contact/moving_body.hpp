@@ -35,8 +35,6 @@ struct MovingBody {
 }
 
 /// Reads the velocity of a body, \f$v = P/m\f$ and \f$\omega = I_w^{-1} L\f$.
-/// \param state  where it is and its momenta
-/// \return it, not changed
 [[nodiscard]] MovingBody moving_body_of(const BodyProperties& body, const BodyState& state);
 
 /// Writes the velocity of a body back, \f$P = m v\f$ and \f$L = I_w\,\omega\f$, if it was changed.

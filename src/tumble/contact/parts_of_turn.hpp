@@ -33,7 +33,6 @@ inline constexpr double kTurnBeyondParts = 1e6;
 }
 
 /// The same for the body of a world that turns fastest.
-/// \param world  the bodies at the start of the step
 /// \param dt     [s] of the step
 [[nodiscard]] inline int parts_of_turn(const World& world, double dt) {
   double turn = 0.0;
@@ -45,7 +44,6 @@ inline constexpr double kTurnBeyondParts = 1e6;
 
 /// How long a body flies in one go if it turns far in a step but keeps its momenta: so long that it turns by a radian. A rule
 /// of rotation keeps the energy of such turns.
-/// \param state  its state at the start
 /// \param dt     [s] of the step
 /// \return [s] infinite for what turns by less, evenly, or by more than kMostPartsOfTurn radians
 [[nodiscard]] inline double micro_step_of(const BodyProperties& body, const BodyState& state,

@@ -61,11 +61,9 @@ struct Patch {
 class PatchFriction {
  public:
   /// Forgets earlier steps.
-  /// \param points how many there will be
   void begin(std::size_t points);
 
   /// One step.
-  /// \param patches  the contact areas
   /// \param bodies   their velocities include the impulses in `points`; changed with them
   /// \param points   of all contact areas; friction impulses in and out
   /// \return [N s] sum of the magnitudes of the changes

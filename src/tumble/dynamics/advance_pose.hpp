@@ -31,15 +31,12 @@ enum class RotationRule : std::uint8_t {
 };
 
 /// All rotation rules, in the order of the enumeration.
-/// \return each once
 std::span<const RotationRule> rotation_rules();
 
 /// The meaning of the option `rotation`, wherever a technique has it.
 inline constexpr std::string_view kRotationMeaning = "integration rule of rotations";
 
-/// The name that a user calls a rule by.
-/// \param rule one of the four
-/// \return "frozen", "midpoint", "rk4" or "splitting"
+/// The name that a user calls a rule by: "frozen", "midpoint", "rk4" or "splitting".
 std::string_view name_of(RotationRule rule);
 
 /// Moves a body for a time with both momenta constant.

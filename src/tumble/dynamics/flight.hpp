@@ -71,8 +71,7 @@ Separation gap_between(const BodyProperties& first, const BodyState& first_state
 /// \return [m/s] world frame
 Vec3 velocity_at(const Flight& flight, int body, double time);
 
-/// What a body's centre is accelerated by.
-/// \return [m/s²] world frame; 0 for an immovable body
+/// What a body's centre is accelerated by [m/s²], world frame; 0 for an immovable body.
 Vec3 acceleration_of(const Flight& flight, int body);
 
 /// How far two bodies in flight are apart at a time.

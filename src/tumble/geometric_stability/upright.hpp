@@ -41,8 +41,7 @@ namespace tumble {
                         : tolerance::exact_vertical;
 }
 
-/// Upper bound on the vertical speed of a body's rim as it rises, sinks or tips.
-/// \return [m/s] at least 0
+/// Upper bound on the vertical speed of a body's rim as it rises, sinks or tips [m/s], at least 0.
 [[nodiscard]] inline double tipping_speed(const BodyProperties& body, const BodyState& state) {
   const Vec3 omega_w = angular_velocity(body, state);
   const double tips = std::sqrt(omega_w.x() * omega_w.x() + omega_w.z() * omega_w.z());

@@ -20,7 +20,6 @@ namespace tumble {
 class NearPoints {
  public:
   /// Finds them, with the impulses that the same points had before.
-  /// \param bodies  how they move: one for each body index
   /// \param margin  [m] points up to this far apart count, at least 0
   /// \param report  pair tests are added, the deepest overlap is overwritten
   void find(const World& world, std::span<const MovingBody> bodies, double margin,

@@ -71,8 +71,7 @@ class FilteredTrajectoryFile {
   /// \throws CannotWrite if something could not be written
   void finish();
 
-  /// How many frames are in the table.
-  /// \return up to now, the start included
+  /// How many frames are in the table up to now, the start included.
   [[nodiscard]] std::int64_t frames() const { return frames_; }
 
   /// Why the table ends before the run does.

@@ -91,7 +91,6 @@ class TimewarpWatcher {
 class TimewarpFrame {
  public:
   /// Makes the frame.
-  /// \param method  which pairs are searched, and how
   /// \throws std::invalid_argument for an option out of range
   TimewarpFrame(const TimewarpOptions& options, SearchMethod method);
   /// A copy with options only; no other state is kept from frame to frame.
@@ -109,8 +108,7 @@ class TimewarpFrame {
   std::vector<double> valid_times;  ///< [s] since the start of the frame
   StepReport report;                ///< of this frame
 
-  /// Whether a body is movable.
-  /// \return false: it is neither integrated nor invalidated
+  /// Whether a body is movable; false: it is neither integrated nor invalidated.
   [[nodiscard]] bool movable(int body) const;
 
   /// Integrates a body in free flight: integrateForward.
@@ -119,7 +117,6 @@ class TimewarpFrame {
   void integrate_forward(BodyState& state, int body, double time);
 
   /// Finds the collisions of all pairs: findAllCollisions.
-  /// \param heap  receives them
   void find_all_collisions(CollisionHeap& heap);
 
   /// Finds the collisions of some bodies, each pair once: addCollisionsForObject.
@@ -150,8 +147,7 @@ class TimewarpFrame {
   /// frame. The valid states must be those at its end.
   void finish();
 
-  /// The contact points of this frame, each at the time of its collision.
-  /// \return valid until the next frame
+  /// The contact points of this frame, each at the time of its collision; valid until the next frame.
   [[nodiscard]] std::span<const ContactRecord> contacts() const { return records_; }
 
   /// Passes the present state to a watcher.

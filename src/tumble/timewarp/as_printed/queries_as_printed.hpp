@@ -95,8 +95,7 @@ class PrintedQueries {
   std::vector<double> valid_times;  ///< [s] validTimes, since the start of the frame
   StepReport report;                ///< of this frame
 
-  /// Whether the lines that stamp a body apply to this one.
-  /// \return as printed always (T10); mended, if it is movable
+  /// Whether the lines that stamp a body apply to this one: as printed always (T10); mended, if it is movable.
   [[nodiscard]] bool stamped(int body) const;
 
   /// integrateForward.
@@ -138,8 +137,7 @@ class PrintedQueries {
   /// fixInterpenetration. Also ends the frame, and resolves the pairs in the contact stage (T6 mended).
   void fix_interpenetration();
 
-  /// The contact points of this frame, each at the time of its collision.
-  /// \return valid until the next frame
+  /// The contact points of this frame, each at the time of its collision; valid until the next frame.
   [[nodiscard]] std::span<const ContactRecord> contacts() const { return records_; }
 
  private:
