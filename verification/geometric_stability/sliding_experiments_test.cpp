@@ -15,28 +15,6 @@ const std::string kShare =
 
 }  // namespace
 
-TEST_CASE("A stable box slides and is damped in each step but the first, which is not classified",
-          "[claims][geometric_stability]") {
-  const FigureUnderTest quick("claim_5_4d_sliding");
-  // Three runs of 7, 6 and 6 steps.
-  CHECK(quick.number(kShare) == near(16.0 / 19.0, 1e-15));
-  CHECK(quick.number("the same, without the first step of each run") == 1.0);
-  CHECK(quick.number("largest change of the speed until then with no body marked") < 1e-3);  // m/s
-  CHECK(quick.number("speed as a corner leaves, analytic forces without friction, over that at the "
-                     "start") == near(1.0, 1e-12));
-  // Whatever the constants: one step of each run is lost, so the share depends on the length of the runs.
-  for (const double k_scale : {0.5, 1.0, 2.0}) {
-    for (const double scale : {0.5, 1.0, 2.0}) {
-      const SlideRun run =
-          slide({.offset = -0.4, .speed = 12.0, .scale = scale, .k_scale = k_scale});
-      INFO("k_scale " << k_scale << ", scale " << scale);
-      REQUIRE(run.leaves > 3);
-      CHECK(run.counted() == run.until() - 1);
-      CHECK_FALSE(run.steps.front().counted_stable);
-    }
-  }
-}
-
 TEST_CASE(
     "The box leaves its support in the step in which a speed that falls by 8 % takes it there",
     "[exact][geometric_stability]") {
