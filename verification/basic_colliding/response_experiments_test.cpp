@@ -1,17 +1,14 @@
 /// \file
-/// \brief The claims of 2.1 and 2.5.2 on handling collisions, the errata T5 to T9, and intervals of shares and means.
+/// \brief Impacts and impulses of the claims of 2.1 and 2.5.2, counted operations, and intervals of shares and means.
+#include "tumble/geometry/signed_distance.hpp"
+
+#include "basic_colliding/counted.hpp"
 #include "driver/quick.hpp"
 #include "driver/statistics.hpp"
 #include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
-
-namespace {
-
-FigureUnderTest errata() { return FigureUnderTest("errata_event_search"); }
-
-}  // namespace
 
 TEST_CASE("The basic technique finds the impacts of a bouncing cube at their closed-form times",
           "[claims][basic_colliding]") {
@@ -33,6 +30,28 @@ TEST_CASE("A stack that needs more impulses than the cap allows is said to",
   // What is counted until then still is a rate: measured 16.4.
   CHECK(figure.number("impulses per second with four cubes over those with one cube, shortest hop "
                       "1 ms") > 14.0);
+}
+
+TEST_CASE("The counted signed distance has the library's bits where faces, edges and signs tie",
+          "[unit][basic_colliding]") {
+  Random random(7);
+  int differ = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Quat orientation = k % 2 == 0 ? Quat::Identity() : random.orientation();
+    const Box box = make_box(Vec3::Zero(), orientation, Vec3::Ones());
+    // Coordinates of the centre, of a face, and of half way between, with either sign.
+    Vec3 point_b;
+    for (int i = 0; i < 3; ++i) point_b[i] = 0.25 * (static_cast<double>(random.below(9)) - 4.0);
+    const Vec3 point_w = box.axes_w * point_b;
+    const SignedDistance truth = signed_distance(box, point_w);
+    Operations counts;
+    const CountedNormal counted = counted_signed_distance(box, point_w, counts);
+    bool same = counted.distance.value == truth.distance;
+    for (std::size_t i = 0; i < 3; ++i)
+      same = same && counted.normal_w[i].value == truth.gradient_w[static_cast<int>(i)];
+    differ += same ? 0 : 1;
+  }
+  CHECK(differ == 0);
 }
 
 TEST_CASE("A share of trials has Wilson's interval", "[exact][basic_colliding]") {

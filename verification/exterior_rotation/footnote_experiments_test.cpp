@@ -1,9 +1,8 @@
 /// \file
-/// \brief The footnote for joints without glue: contacts found by geometry, and wrong ones (claim 6.2f).
+/// \brief The footnote for joints without glue: contacts found by geometry, and changes of them.
 
 #include "tumble/exterior_rotation/tolerances.hpp"
 
-#include "driver/quick.hpp"
 #include "exterior_rotation/geometric_contacts.hpp"
 #include "support/test.hpp"
 

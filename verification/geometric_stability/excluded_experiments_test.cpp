@@ -1,5 +1,5 @@
 /// \file
-/// \brief Figure 5.6 and claim 5.4b.
+/// \brief Figures 5.3 to 5.6 and claim 5.4b.
 #include "driver/quick.hpp"
 #include "support/test.hpp"
 
@@ -18,7 +18,54 @@ int light_boxes(int rows) {
 
 const std::string kUnknowns = "unknowns of a run, all boxes over those that are not stable, ";
 
+constexpr const char* kBelow = "boxes below that are stable";
+constexpr const char* kByCorners = "stable by the four corners";
+constexpr const char* kByHull = "stable by the hull";
+constexpr const char* kCarries = "carries every load by static equilibrium";
+constexpr const char* kOwn = "largest acceleration of its corners under its own weight, over g";
+constexpr const char* kLoaded =
+    "the same under the worst load on a corner of its top, over (load + weight)/mass";
+
+// [-] Rounding of these problems: measured 1e-14.
+constexpr double kStill = 1e-11;
+
+// What all verdicts on the top box say, if they agree; else -1.
+double verdict_of(const FigureUnderTest& figure) {
+  const double corners = figure.number(kByCorners);
+  return figure.number(kByHull) == corners && figure.number(kCarries) == corners ? corners : -1.0;
+}
+
 }  // namespace
+
+TEST_CASE(
+    "A cube on the corner of another stands until its centre passes the corner, and never "
+    "under every load",
+    "[exact][geometric_stability]") {
+  const FigureUnderTest figure("fig5_3_one_corner", {"shift=0.4"});
+  // [m] The corner is half an edge from the middle; the search ends at 1e-9.
+  CHECK(figure.number("shift from which its own weight tips it") == near(0.5, 2e-9));
+  CHECK(figure.number(kOwn) < kStill);
+  CHECK(figure.number(kLoaded) > 1.0);
+  CHECK(verdict_of(figure) == 0.0);
+  for (const auto& row : figure.result.tables.back().rows) {
+    INFO("shift " << row[0]);
+    CHECK((row[1] < kStill) == (row[0] <= 0.5));
+    CHECK(row[2] > 0.1);
+    CHECK(row[3] == 0.0);
+  }
+}
+
+TEST_CASE(
+    "Where the bottom boxes of figure 5.5 touch, both rules call no box stable and every load is "
+    "carried all the same",
+    "[reference][geometric_stability]") {
+  const FigureUnderTest figure("fig5_5_two_supports", {"gap=0"});
+  CHECK(figure.number(kBelow) == 0.0);
+  CHECK(figure.number(kByCorners) == 0.0);
+  CHECK(figure.number(kByHull) == 0.0);
+  CHECK(figure.number(kCarries) == 1.0);
+  CHECK(figure.number(kLoaded) < kStill);
+}
 
 TEST_CASE("In figure 5.6 the boxes over the hole are not stable, and all others are",
           "[claims][geometric_stability]") {

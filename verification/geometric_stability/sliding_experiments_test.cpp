@@ -1,19 +1,10 @@
 /// \file
 /// \brief Claim 5.4d: a stable box slides and is damped, until a corner leaves its support.
-#include "driver/quick.hpp"
 #include "geometric_stability/sliding_run.hpp"
 #include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
-
-namespace {
-
-const std::string kShare =
-    "share of the steps until a corner leaves its support in which the upper box is stable, "
-    "slides, and is slowed down by damping";
-
-}  // namespace
 
 TEST_CASE(
     "The box leaves its support in the step in which a speed that falls by 8 % takes it there",

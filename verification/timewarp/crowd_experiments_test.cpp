@@ -12,14 +12,6 @@
 using namespace tumble;
 using namespace tumble::chapters;
 
-namespace {
-
-constexpr const char* kDecides =
-    "share of the pairs of impacts nearer in time than the tolerance that swept volumes bring in "
-    "the wrong order";
-
-}  // namespace
-
 TEST_CASE("The closed form of a chain gives the three collisions of a worked example",
           "[exact][timewarp]") {
   // Cubes at 0, 1.5 and 3.4 m with 2, 0 and -1 m/s: 0.5 / 2 s; then 0.9 m less 0.25 s at 1 m/s
