@@ -103,7 +103,6 @@ bool collide(const Box& first, const Box& second, double margin, AxisIndex remem
 void add_face_points(const Box& first, const Box& second, double margin, Manifold& manifold);
 
 /// Exchanges the roles of the two bodies: the normal turns round; points and names stay.
-/// \param manifold is changed in place
 void flip(Manifold& manifold);
 
 }  // namespace tumble

@@ -25,8 +25,7 @@ struct DampingParts {
   bool operator==(const DampingParts& other) const = default;
 };
 
-/// The combinations of parts that the option `damping` accepts.
-/// \return each with its name
+/// The combinations of parts that the option `damping` accepts, each with its name.
 std::vector<Word<DampingParts>> damping_words();
 
 /// Parts of the damping by their names.

@@ -69,14 +69,11 @@ class ImpulseBodies {
   /// How bodies move, the predicted centre as position.
   /// \return one for each body index; call predict() after a change of velocity
   [[nodiscard]] std::span<MovingBody> moving() { return moving_; }
-  /// Where bodies will be.
-  /// \return one for each body index
+  /// Where bodies will be: one for each body index.
   [[nodiscard]] std::span<const BodyState> predicted() const { return predicted_; }
-  /// How often a body was predicted in this step.
-  /// \return from 1; another number means another pose
+  /// How often a body was predicted in this step: from 1; another number means another pose.
   [[nodiscard]] int version(int body) const { return version_[static_cast<std::size_t>(body)]; }
-  /// How often any body was predicted in this step.
-  /// \return the sum over all bodies
+  /// How often any body was predicted in this step: the sum over all bodies.
   [[nodiscard]] int predictions() const { return predictions_; }
 
  private:

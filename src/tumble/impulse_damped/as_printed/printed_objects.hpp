@@ -72,15 +72,12 @@ class PrintedObjects {
 
   /// revertToOriginalPositions of the listings. RC4: positions, as the name has it; mended, the
   /// orientations as well.
-  /// \param world poses in and out
   void revert_to_original_positions(World& world) const;
 
   /// Ends a stage: momenta of bodies that were changed go into the world.
-  /// \param world momenta in and out
   void end(World& world) const;
 
-  /// The objects.
-  /// \return one for each body index
+  /// The objects: one for each body index.
   [[nodiscard]] std::span<PrintedObject> all() { return objects_; }
 
  private:
