@@ -8,14 +8,6 @@ using namespace tumble::chapters;
 
 namespace {
 
-// Row k from below, k from 2, has rows - k + 1 boxes, of which k stand over the hole, if there are as
-// many.
-int light_boxes(int rows) {
-  int light = 0;
-  for (int k = 2; k <= rows; ++k) light += std::min(k, rows - k + 1);
-  return light;
-}
-
 const std::string kUnknowns = "unknowns of a run, all boxes over those that are not stable, ";
 
 constexpr const char* kBelow = "boxes below that are stable";
@@ -65,45 +57,6 @@ TEST_CASE(
   CHECK(figure.number(kByHull) == 0.0);
   CHECK(figure.number(kCarries) == 1.0);
   CHECK(figure.number(kLoaded) < kStill);
-}
-
-TEST_CASE("In figure 5.6 the boxes over the hole are not stable, and all others are",
-          "[claims][geometric_stability]") {
-  for (const int rows : {5, 7, 9}) {
-    CAPTURE(rows);
-    const FigureUnderTest figure("fig5_6_pyramid", {"rows=" + std::to_string(rows)});
-    const int boxes = rows * (rows + 1) / 2 - 1;
-    const int light = light_boxes(rows);
-    CHECK(figure.number("boxes") == boxes);
-    CHECK(figure.number("stable by the rule, neighbours apart") == boxes - light);
-    // Nothing but those bears every load, and nothing falls.
-    CHECK(figure.number("bear every load, neighbours apart") == boxes - light);
-    CHECK(figure.number("boxes that accelerate, both pyramids") == 0.0);
-    CHECK(figure.number("unknowns without groups in balance, both pyramids") == 0.0);
-    // Four points a pair of faces; two boxes stand on one box, the others on two, or on the ground.
-    const int upper = rows * (rows - 1) / 2;
-    CHECK(figure.number("unknowns of the full system, neighbours apart") ==
-          4 * (rows - 1 + 2 * upper - 2));
-    CHECK(figure.number("unknowns without stable boxes, neighbours apart") == 4 * (2 * light - 2));
-    CHECK(figure.number("the same, stable by the footnote's hull") == 4 * (2 * light - 2));
-  }
-}
-
-TEST_CASE("If neighbours touch the rule finds no stable box in figure 5.6, and the lowest row is",
-          "[claims][geometric_stability]") {
-  for (const int rows : {5, 9}) {
-    CAPTURE(rows);
-    const FigureUnderTest figure("fig5_6_pyramid", {"rows=" + std::to_string(rows)});
-    CHECK(figure.number("stable by the rule, neighbours touch") == 0.0);
-    CHECK(figure.number("bear every load, neighbours touch") == rows - 1);
-    const int upper = rows * (rows - 1) / 2;
-    // From the side each box touches the next one of its row, but across the hole.
-    const int beside = upper - 2;
-    const int all = 4 * (rows - 1 + 2 * upper - 2 + beside);
-    CHECK(figure.number("unknowns of the full system, neighbours touch") == all);
-    CHECK(figure.number("unknowns without boxes that bear every load, neighbours touch") ==
-          all - 4 * (rows - 1 + rows - 3));
-  }
 }
 
 TEST_CASE(
