@@ -22,7 +22,6 @@ struct ContactRow {
 
 /// The acceleration of a body's material at a point that it carries along,
 /// \f$\dot v + \dot\omega \times r + \omega \times (\omega \times r)\f$.
-/// \param point_w       [m] world frame
 /// \return [m/s²] world frame
 Vec3 acceleration_at(const MovingBody& body, const Acceleration& acceleration, const Vec3& point_w);
 

@@ -44,7 +44,6 @@ inline Vec3 across(const Vec3& v, const Vec3& n) { return v - n.dot(v) * n; }
 /// the other two axes where n is an axis of the world. With unit tangents u, v and
 /// \f$w_k = u_k - i v_k\f$ the arms are at the angles \f$-\tfrac14 \arg \sum_k w_k^4\f$ from u to v
 /// and a quarter turn on. n and -n have the same cross.
-/// \param normal_w [-] world frame, length 1
 /// \return a right-handed frame (first, second, normal); which arm comes first, and its sign, jumps
 Tangents pyramid_axes(const Vec3& normal_w);
 

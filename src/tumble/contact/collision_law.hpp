@@ -93,10 +93,7 @@ void check(const PointImpact& impact);
 /// Lets two bodies collide at a point: solve_impact() and apply_impulse() in one.
 /// \param first        the body that the normal leaves; changed
 /// \param second       the body that the normal enters; changed
-/// \param point_w      [m] world frame
-/// \param normal_w     [-] length 1, world frame
 /// \param friction     [-] at least 0
-/// \param restitution  [-] 0 to 1
 /// \param law          what restitution means; the approach speed is the present one
 /// \return the impulse and its account
 /// \throws std::invalid_argument naming the value that is not finite or out of range

@@ -14,7 +14,6 @@ namespace tumble {
 /// How two boxes overlap once they have met: moved together along a direction until they overlap there by
 /// `tolerance::flush_overlap` of their size. If they do so by less than `tolerance::flush_height` along another direction, that
 /// is the height of the edge at which they meet.
-/// \param normal_w  [-] from the first to the second
 /// \param gap       [m] between them along the normal
 /// \param size      [m] shortest edge of the two
 /// \return the least overlap, and its direction

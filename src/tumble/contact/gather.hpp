@@ -88,7 +88,6 @@ int carry_over_impulses(std::span<const Contact> previous, std::span<Contact> co
 
 /// Multiplies the impulses of all points, as a start for a step of another length.
 /// \param factor    [-] length of this step over that of the one before
-/// \param contacts  in and out
 void scale_impulses(double factor, std::span<Contact> contacts);
 
 /// Stamps every point with the speed at which the bodies approach there now.

@@ -24,7 +24,6 @@ struct SupportEdge {
 /// contact whose normal is within tolerance::side_contact of the horizontal holds nothing up and
 /// gives no edge: books that stand side by side are not in each other's order, and a box that
 /// friction holds between two walls rests on nothing. Without gravity there is no up and no edge.
-/// \param gravity_w  [m/s²] world frame
 /// \param edges      out: at most one edge for each contact, in the order of the contacts; what
 ///                   was in it is discarded
 /// \throws std::invalid_argument if gravity is not finite

@@ -74,7 +74,6 @@ struct ImpactResult {
 
 /// Adds impulses, passes, pivots and energy to the report of a step.
 /// \param impact  what was done; its collisions are not added, for a pair may bounce twice at once
-/// \param report  in and out
 void book(const ImpactResult& impact, StepReport& report);
 
 /// Resolves collisions of any number of bodies at one instant.

@@ -36,7 +36,6 @@ struct MeetingFound {
 /// \param size      [m] shortest edge of the two
 /// \param touching  [m] gap up to which they touch already
 /// \param bodies    how they move in the step, if nothing stops them
-/// \param dt        [s] the step
 /// \return the outcome; overlap if one of them is the ground, which has no edges
 /// \par Cost
 /// Up to three calls of separation().

@@ -41,7 +41,6 @@ struct RepairReport {
 };
 
 /// Adds pair tests, energy and the deepest overlap to the report of a step.
-/// \param report    in and out
 void book(const RepairReport& repaired, StepReport& report);
 
 /// Bounds in which bodies that overlap are found, and those that may once they are moved apart.

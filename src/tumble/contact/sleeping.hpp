@@ -102,7 +102,6 @@ class SleepingRule {
   /// \param world     the bodies; changes sleep_states(), and the momenta of those that fall asleep
   /// \param contacts  those that the step worked with
   /// \param islands   of these contacts
-  /// \param dt        [s] above 0
   /// \param slow      by index, not 0: counts as slow whatever its speed, unless it woke in this step;
   ///                  empty: none
   /// \throws std::invalid_argument for a dt that is not finite and above 0, or if wake_disturbed()

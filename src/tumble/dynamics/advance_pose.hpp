@@ -57,7 +57,6 @@ std::string_view name_of(RotationRule rule);
 /// first commutes with the others; these are composed as a/2, c, a/2, which is symmetric in time,
 /// of order 2 and keeps the energy within a bound of order dt² for ever. If two moments are equal
 /// one of them is the middle one, at most one other part is left, and the step is exact.
-/// \param state  its state; in and out
 /// \param dt     [s] may be negative: back in time
 /// \throws std::invalid_argument if the angular momentum is not finite; dt must be finite
 /// \see McLachlan, "Explicit Lie-Poisson integration and the Euler equations", Phys. Rev. Lett.

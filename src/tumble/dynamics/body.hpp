@@ -60,7 +60,6 @@ struct BodyState {
 /// \param size         [m] full edge lengths, each from tolerance::smallest_edge to largest_value
 /// \param mass         [kg] from tolerance::smallest_mass to largest_mass, and so the moments in kg m²
 /// \param friction     [-] 0 to tolerance::largest_friction
-/// \param restitution  [-] 0 to 1
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties box_properties(const Vec3& size, double mass, double friction = 0.5,
                               double restitution = 0.0);
@@ -68,22 +67,17 @@ BodyProperties box_properties(const Vec3& size, double mass, double friction = 0
 /// An immovable box.
 /// \param size         [m] full edge lengths, each from tolerance::smallest_edge to largest_value
 /// \param friction     [-] 0 to tolerance::largest_friction
-/// \param restitution  [-] 0 to 1
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties fixed_box_properties(const Vec3& size, double friction = 0.5,
                                     double restitution = 0.0);
 
 /// The immovable half-space y <= 0.
 /// \param friction     [-] 0 to tolerance::largest_friction
-/// \param restitution  [-] 0 to 1
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties ground_properties(double friction = 0.5, double restitution = 0.0);
 
 /// A state from the velocities that people think in.
-/// \param position_w          [m] world frame
-/// \param orientation_wb      [-] body to world, length 1
 /// \param velocity_w          [m/s] of the centre of mass, world frame
-/// \param angular_velocity_w  [rad/s] world frame
 /// \return the state: P = m v, L = R I R' ω; momenta of an immovable body are 0
 /// \throws std::invalid_argument for a value that is not finite, a quaternion that is not of
 ///         length 1, or an immovable body with a velocity
@@ -103,20 +97,16 @@ Vec3 angular_velocity(const BodyProperties& body, const BodyState& state);
 
 /// Angular momentum of an angular velocity, \f$L = R\,I_b R^{\mathsf T} \omega\f$.
 /// \param axes_w              [-] its axes in the world as columns
-/// \param angular_velocity_w  [rad/s] world frame
 /// \return [kg m²/s] world frame
 Vec3 angular_momentum(const BodyProperties& body, const Mat3& axes_w,
                       const Vec3& angular_velocity_w);
 
 /// The same of a body whose axes are not known yet.
-/// \param orientation_wb      [-] body to world, length 1
-/// \param angular_velocity_w  [rad/s] world frame
 /// \return [kg m²/s] world frame
 Vec3 angular_momentum(const BodyProperties& body, const Quat& orientation_wb,
                       const Vec3& angular_velocity_w);
 
 /// Inverse inertia in the world frame, \f$R\,I_b^{-1} R^{\mathsf T}\f$.
-/// \param orientation_wb  [-] body to world, length 1
 /// \return [1/(kg m²)] symmetric; 0 for an immovable body
 Mat3 inverse_inertia_w(const BodyProperties& body, const Quat& orientation_wb);
 

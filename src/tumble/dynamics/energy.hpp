@@ -16,7 +16,6 @@ struct Energy {
 };
 
 /// Energy of one body.
-/// \param gravity_w  [m/s²] world frame
 /// \return \f$\tfrac12 P\cdot v + \tfrac12 L\cdot\omega\f$ and \f$-m\,g\cdot x\f$, which is m g
 ///         times the height above y = 0 for the usual gravity; 0 for an immovable body
 Energy energy_of(const BodyProperties& body, const BodyState& state, const Vec3& gravity_w);

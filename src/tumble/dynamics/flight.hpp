@@ -82,7 +82,6 @@ Separation gap_at(const Flight& flight, const IndexPair& pair, double time);
 
 /// Bounds of all of a body's way in flight, for finding pairs that may meet.
 /// \param start      its state now
-/// \param gravity_w  [m/s²] world frame
 /// \param time       [s] of the flight
 /// \param reach      [m] of the body from its centre, whichever way it turns; at least half its
 ///                   diagonal

@@ -32,7 +32,6 @@ class Snapshot {
   ~Snapshot() = default;
 
   /// Goes on by one step.
-  /// \param dt [s] above 0
   /// \throws std::invalid_argument as the technique does
   StepReport step(double dt) { return technique_->step(world_, dt); }
 

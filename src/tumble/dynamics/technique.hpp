@@ -77,7 +77,6 @@ class Technique {
   [[nodiscard]] virtual std::string_view name() const = 0;
 
   /// Advances the world, and its time by World::finish_step(), once for the step or once for each part of it.
-  /// \param world  all bodies; in and out
   /// \param dt     [s] above 0; may differ from step to step
   /// \throws std::invalid_argument for a dt that is not finite and above 0; StepRefused for a world that the
   ///         technique cannot simulate, or not with this dt, with the reason

@@ -38,7 +38,6 @@ class World {
 
   /// Adds the ground, the immovable half-space y <= 0.
   /// \param friction     [-] at least 0
-  /// \param restitution  [-] 0 to 1
   /// \throws std::invalid_argument naming a value out of range, or if there is a ground already
   BodyId add_ground(double friction = 0.5, double restitution = 0.0);
 
@@ -54,9 +53,7 @@ class World {
 
   /// Adds a body without a name of its own, see make_state() for where it is and how it moves.
   /// \param position_w          [m] of its centre of mass
-  /// \param orientation_wb      [-] body to world, length 1
   /// \param velocity_w          [m/s] of its centre of mass
-  /// \param angular_velocity_w  [rad/s]
   BodyId add(const BodyProperties& body, const Vec3& position_w,
              const Quat& orientation_wb = Quat::Identity(), const Vec3& velocity_w = Vec3::Zero(),
              const Vec3& angular_velocity_w = Vec3::Zero()) {
@@ -84,15 +81,12 @@ class World {
   [[nodiscard]] bool joined(BodyId a, BodyId b) const;
 
   /// Changes a body's momenta by an impulse at a point and wakes it.
-  /// \param impulse_w  [N s] world frame
   /// \param point_w    [m] where it acts, world frame
   /// \throws std::invalid_argument if there is no such body, it is immovable, a value is not
   ///         finite, or the motion is out of require_motion_limits()
   void push(BodyId id, const Vec3& impulse_w, const Vec3& point_w);
 
   /// Gives a body new velocities and wakes it.
-  /// \param velocity_w          [m/s] world frame
-  /// \param angular_velocity_w  [rad/s] world frame
   /// \throws std::invalid_argument if there is no such body, it is immovable, a value is not
   ///         finite, or the motion is out of require_motion_limits()
   void set_velocity(BodyId id, const Vec3& velocity_w, const Vec3& angular_velocity_w);
@@ -154,7 +148,6 @@ class World {
   /// How many steps have been done.
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   /// Advances the time and counts a step; for techniques, at the end of each step or part of a step.
-  /// \param dt [s] its length
   void finish_step(double dt) {
     time_ += dt;
     ++steps_;

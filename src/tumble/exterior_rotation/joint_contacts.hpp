@@ -53,7 +53,6 @@ class JointContacts {
 
   /// A step.
   /// \param table   of RungeKutta
-  /// \param dt      [s] above 0
   /// \param joints  held
   /// \param forces  their solver
   /// \param world   states in and out; its time does not change

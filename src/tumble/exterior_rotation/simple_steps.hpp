@@ -50,7 +50,6 @@ enum class SimpleScheme : std::uint8_t {
 class SimpleSteps {
  public:
   /// One step of all movable bodies.
-  /// \param dt      [s] above 0
   /// \param joints  held during the step
   /// \param world   states in and out; its time does not change
   void step(SimpleScheme scheme, PoseUpdate pose, double dt, std::span<const Joint> joints,

@@ -14,7 +14,6 @@
 namespace tumble {
 
 /// Whether a normal is along the positive or negative y axis.
-/// \param normal_w   [-] length 1, world frame
 /// \param tolerance  [-] largest sine of the angle to the axis
 [[nodiscard]] inline bool is_vertical(const Vec3& normal_w, double tolerance) {
   return std::sqrt(normal_w.x() * normal_w.x() + normal_w.z() * normal_w.z()) <= tolerance;

@@ -20,7 +20,6 @@ struct Box {
 
 /// Builds a box and checks every value.
 /// \param center_w        [m] world frame
-/// \param orientation_wb  [-] body to world, length 1
 /// \param size            [m] full edge lengths, each above 0
 /// \throws std::invalid_argument for a value that is not finite, a size not above 0 or a
 ///         quaternion that is not of length 1

@@ -30,7 +30,6 @@ struct DampedBodies {
   /// integrateObjectPositions(Δt, VELOCITY_PLUS_GRAVITY): where bodies come to with the velocities
   /// that they have and the gravity of one step.
   /// \param world  the bodies at the step's start
-  /// \param dt     [s] above 0
   /// \return how many bodies were advanced
   int predict(const World& world, double dt, RotationRule rule);
 

@@ -55,7 +55,6 @@ class ImpulseBodies {
   void thaw(const World& world);
 
   /// Writes the velocities into the world and moves all bodies with them.
-  /// \param world   the bodies; states in and out
   /// \param energy  [J] what carried bodies have got by not going straight is added
   /// \return how many bodies were moved
   int move(World& world, double& energy);

@@ -48,8 +48,6 @@ class ImpulsePush {
   /// this pair has been seen to approach in this step. If others press the two together again, they
   /// part with that speed again, or as fast as the energy of the new approach allows.
   /// \param pair         overlaps; impulses are added to its points
-  /// \param restitution  [-] 0 to 1
-  /// \param dt           [s] of the step
   PushResult collide(ImpulsePair& pair, std::span<MovingBody> bodies, double restitution,
                      double dt);
 
@@ -63,7 +61,6 @@ class ImpulsePush {
   /// same share.
   /// \param pair    overlaps; impulses are added to its points
   /// \param share   [-] 1 + ε, above 0 and at most 1, which ends the approach
-  /// \param dt      [s] of the step
   /// \param ahead_w [m/s] how far the velocities are ahead of those at which the work of the
   ///                impulse is reported: half of what gravity gave in this step
   PushResult hold(ImpulsePair& pair, std::span<MovingBody> bodies, double share, double dt,

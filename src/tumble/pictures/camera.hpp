@@ -42,7 +42,6 @@ class Projection {
   [[nodiscard]] Vec2 operator()(const Vec3& point_w) const;
 
   /// Distance of a point in front of the eye.
-  /// \param point_w [m] world frame
   /// \return [m] along the middle line of sight; below 0 behind the eye
   [[nodiscard]] double depth(const Vec3& point_w) const { return -back_w_.dot(point_w - eye_w_); }
 

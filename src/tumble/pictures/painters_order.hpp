@@ -23,7 +23,6 @@ class ViewPoint {
   static ViewPoint along(const Vec3& direction_w);
 
   /// The line of sight through a point.
-  /// \param point_w  [m] world frame
   /// \return [any] world frame, away from the viewer; its length has no meaning
   [[nodiscard]] Vec3 sight(const Vec3& point_w) const;
 
@@ -34,7 +33,6 @@ class ViewPoint {
   [[nodiscard]] double side(const Vec3& normal_w, double offset) const;
 
   /// How far away a point is, for sorting.
-  /// \param point_w  [m] world frame
   /// \return [m] from the eye, or along the direction
   [[nodiscard]] double depth(const Vec3& point_w) const;
 

@@ -49,7 +49,6 @@ class NearPoints {
 
 /// How far apart two points may be that meet within a step, up to `tolerance::faure_reach` of the shortest edge.
 /// \param bodies  their velocities at the start of the step, by index
-/// \param dt      [s] its length
 /// \return [m] twice the way of the fastest point
 [[nodiscard]] double meeting_margin(const World& world, std::span<const MovingBody> bodies,
                                     double dt);

@@ -123,7 +123,6 @@ double due_until(double time, double dt);
 /// \param scene  the scene that the world was built from
 /// \param from   [s] `until` of the last call; 0 at first
 /// \param until  [s] due_until() now
-/// \param world  in and out
 /// \throws std::invalid_argument if a name is taken by now
 void update_boxes(const Scene& scene, double from, double until, World& world);
 

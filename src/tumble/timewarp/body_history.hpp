@@ -33,7 +33,6 @@ class BodyHistory {
 
   /// Appends a milestone, whose time becomes the local time.
   /// \param milestone  not before the local time
-  /// \param gravity_w  [m/s²] world frame
   void add(const Milestone& milestone, const BodyProperties& body, const Vec3& gravity_w);
 
   /// Sets the local time back. Milestones stay.
@@ -55,7 +54,6 @@ class BodyHistory {
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
   /// Recomputes the bounds.
-  /// \param gravity_w  [m/s²] world frame
   void measure(const BodyProperties& body, const Vec3& gravity_w);
 
   /// The local time, until which the trajectory is known [s]; infinite for a body that cannot move.
@@ -77,7 +75,6 @@ class BodyHistory {
 
 /// Bounds of a body's flight from a milestone.
 /// \param until      [s] its end
-/// \param gravity_w  [m/s²] world frame
 /// \return world frame
 [[nodiscard]] Bounds bounds_from(const Milestone& milestone, double until,
                                  const BodyProperties& body, const Vec3& gravity_w);

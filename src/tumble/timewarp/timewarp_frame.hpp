@@ -39,7 +39,6 @@ void describe(TimewarpOptions& o, Visitor& v) {
 }
 
 /// Checks the length of a step.
-/// \param dt       [s]
 /// \param options  the resolution must be above the rounding of times up to the longest flight
 /// \param steps    [-] number of steps in the longest flight
 /// \throws std::invalid_argument for a dt that is not above 0; StepRefused for a resolution too small for it
@@ -98,7 +97,6 @@ class TimewarpFrame {
 
   /// Starts a frame.
   /// \param world     all bodies; kept until finish()
-  /// \param dt        [s] its length
   /// \param observer  receives the collisions; may be nullptr
   /// \throws std::invalid_argument for a dt that is not above 0
   void begin(World& world, double dt, Observer* observer);
@@ -112,7 +110,6 @@ class TimewarpFrame {
   [[nodiscard]] bool movable(int body) const;
 
   /// Integrates a body in free flight: integrateForward.
-  /// \param state  in and out
   /// \param time   [s] duration
   void integrate_forward(BodyState& state, int body, double time);
 

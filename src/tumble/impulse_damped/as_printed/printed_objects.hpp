@@ -65,7 +65,6 @@ class PrintedObjects {
 
   /// integrateObjectPositions of the listings, \f$x + \Delta t\,(v + a)\f$.
   /// \param world    poses in and out; momenta are not touched
-  /// \param dt       [s] above 0
   /// \param ahead_w  [m/s] a: 0 or what gravity will add in the step
   /// \return how many bodies were moved
   int integrate_positions(World& world, double dt, const Vec3& ahead_w, RotationRule rule);

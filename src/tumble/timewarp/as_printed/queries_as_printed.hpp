@@ -85,7 +85,6 @@ class PrintedQueries {
 
   /// Starts a frame.
   /// \param world     all bodies; kept until fix_interpenetration()
-  /// \param dt        [s] its length
   /// \param observer  receives the collisions; may be nullptr
   /// \throws std::invalid_argument for a dt that is not above 0
   void begin(World& world, double dt, Observer* observer);
@@ -99,7 +98,6 @@ class PrintedQueries {
   [[nodiscard]] bool stamped(int body) const;
 
   /// integrateForward.
-  /// \param state  in and out
   /// \param time   [s] duration; may be negative
   void integrate_forward(BodyState& state, int body, double time);
 
