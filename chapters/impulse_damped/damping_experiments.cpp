@@ -148,6 +148,7 @@ Result measure_damping_energy(const Parameters& settings) {
     const Quantity most_found =
         largest_found("largest factor, slow components, brick of 4 x 1 x 1", found);
     shapes.add(length, most_found.value, shrunk, c);
+    if (length == 1) result.add(largest_found("largest factor, slow components, cube", found));
     if (length == 2)
       result.add("the same in closed form, slow components, brick of 2 x 1 x 1", "-", shrunk);
     if (length != 4) continue;
