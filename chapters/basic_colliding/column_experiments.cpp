@@ -31,10 +31,9 @@ struct Law {
 };
 
 struct Count {
-  double time = 0.0;            // [s] simulated
-  std::int64_t impulses = 0;    // in that time
-  double ground_impulse = 0.0;  // [N s] given by the ground
-  bool capped = false;          // whether it ended at the cap
+  double time = 0.0;          // [s] simulated
+  std::int64_t impulses = 0;  // in that time
+  bool capped = false;        // whether it ended at the cap
 };
 
 // Speed of cube k against what is below it; below 0 it comes nearer.
@@ -64,7 +63,6 @@ void collide(CubeColumn& column, std::size_t k, const Law& law, Count& count) {
   const double change = approach + std::max(law.restitution * approach, law.slowest_rebound);
   if (k == 0) {
     column.speeds[0] += change;
-    count.ground_impulse += change;
   } else {
     column.speeds[k] += 0.5 * change;
     column.speeds[k - 1] -= 0.5 * change;
@@ -110,7 +108,6 @@ Count simulate(CubeColumn column, const Law& law, double duration, std::int64_t 
 // All runs with one height and one shortest hop.
 struct Runs {
   std::vector<double> rates;  // [1/s] impulses per second, by seed
-  double ground_share = 0.0;  // [-] impulse of the ground over the weight, mean
   int capped = 0;             // runs that ended at the cap
   [[nodiscard]] double mean(int left_out = -1) const {
     const std::size_t counted = rates.size() - (left_out < 0 ? 0 : 1);
@@ -126,7 +123,6 @@ Runs run_all(int cubes, double hop, const Parameters& settings) {
     const CubeColumn start = resting_column(cubes, hop, Random(static_cast<std::uint64_t>(seed)));
     const Count count = simulate(start, law, settings.number("duration"), settings.whole("cap"));
     runs.rates.push_back(static_cast<double>(count.impulses) / count.time);
-    runs.ground_share += count.ground_impulse / (cubes * kGravity * count.time * seeds);
     runs.capped += count.capped ? 1 : 0;
   }
   return runs;
@@ -164,9 +160,6 @@ Result measure_stack_impulses(const Parameters& settings) {
     quantities.push_back(over_seeds(
         "impulses per second with four cubes over those with one cube, shortest hop " + names[h],
         "-", seeds, [&](int left) { return four.mean(left) / runs[0].mean(left); }));
-    if (h == 0)
-      quantities.push_back(over_seeds("impulses per second, 1 cube, shortest hop 1 ms", "1/s",
-                                      seeds, [&](int left) { return runs[0].mean(left); }));
     for (const Runs& one : runs) capped += one.capped;
   }
   Parameters lively = settings;
@@ -176,8 +169,6 @@ Result measure_stack_impulses(const Parameters& settings) {
   quantities.push_back(
       over_seeds("the same ratio, faster impacts with restitution 0.9, shortest hop 1 ms", "-",
                  seeds, [&](int left) { return four.mean(left) / one.mean(left); }));
-  quantities.push_back({"impulse of the ground over the weight, four cubes, shortest hop 1 ms", "-",
-                        found[0][3].ground_share});
   quantities.push_back({"runs that met the cap", "-", capped});
   return {{table}, quantities};
 }

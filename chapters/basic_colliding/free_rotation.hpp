@@ -59,12 +59,10 @@ class FreeRotation {
     return amplitude_.cwiseProduct(Vec3(cn, sn, dn));
   }
 
-  // When the second component is 0 for the first time: the body turns over.
-  // Returns [s]
+  // When the second component is 0 for the first time: the body turns over [s].
   [[nodiscard]] double first_flip() const { return (2.0 * quarter_ - phase_) / rate_; }
 
-  // How long the body takes from one such time to the next.
-  // Returns [s]
+  // How long the body takes from one such time to the next [s].
   [[nodiscard]] double flip_interval() const { return 2.0 * quarter_ / rate_; }
 
  private:

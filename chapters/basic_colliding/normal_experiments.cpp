@@ -205,7 +205,6 @@ Result measure_signed_distance(const Parameters& settings) {
   return {{operations_table(work), angles_table(paths), speeds},
           {ratio,
            {"the same, inside the box", "-", arithmetic(work[1])},
-           {"the same, outside the box", "-", arithmetic(work[0])},
            {"frames inside with a normal off by over 10 degrees", "-",
             paths.inside.off / paths.inside.frames}}};
 }

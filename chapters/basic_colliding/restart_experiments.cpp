@@ -141,7 +141,6 @@ Result measure_restarts(const Parameters& settings) {
            ratio_with(settings, std::max(2, cubes / 2),
                       "the same, 1/480 s over 1/60 s, half as many cubes"),
            ratio_with(settings, 2 * cubes, "the same, 1/480 s over 1/60 s, twice as many cubes"),
-           per_collision(0, "restarts per collision at 1/15 s"),
            per_search(2, "searches that uncover a hidden collision, 1/60 s")}};
 }
 

@@ -168,7 +168,6 @@ Result measure_missed_visible(const Parameters& settings) {
        share_missed("the same, visible from half the overlap on", count(both, 0.5 * kVisible)),
        share_missed("the same, visible from twice the overlap on", count(both, 2.0 * kVisible)),
        ratio_of_sums("steps that met their cap of collisions, over all steps", "-", capped, steps),
-       {"visible collisions", "-", sum_without(visible.all, -1)},
        {"visible collisions missed", "-", sum_without(visible.missed, -1)},
        {"deepest overlap of a missed collision, over size", "-", deepest_missed}}};
 }

@@ -59,8 +59,7 @@ class PlayedScene : public Simulation {
     return idx(world().index_of(name));
   }
 
-  // Its speed along x.
-  // Returns [m/s]
+  // Its speed along x [m/s].
   [[nodiscard]] double speed(std::string_view name) const { return body(name).velocity_w().x(); }
 };
 

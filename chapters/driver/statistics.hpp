@@ -13,8 +13,7 @@
 
 namespace tumble::chapters {
 
-// How far a number is from what it should be.
-// Returns [-] |found / wanted - 1|
+// How far a number is from what it should be [-], |found / wanted - 1|.
 double relative_error(double found, double wanted);
 
 // A share of independent trials, with Wilson's interval of 95 %.

@@ -11,8 +11,7 @@ namespace tumble::chapters {
 // Returns [m] R, half of the diagonal
 double column_radius(int count = 4);
 
-// The rate of a column's fall, \f$p = \sqrt{3g/4R}\f$.
-// Returns [1/s]
+// The rate of a column's fall, \f$p = \sqrt{3g/4R}\f$ [1/s].
 double column_frequency(int count = 4);
 
 // Lean of a column less that of its centre: \f$\alpha = \arctan(1/n)\f$.
@@ -52,8 +51,7 @@ GlueForce glue_force(int joint, double angle, double phi0, int count = 4);
 // spin: [rad/s] falling
 World column_world(double angle, double spin = 0.0, int count = 4);
 
-// The pivot of column_world().
-// Returns [m] on top of the larger box
+// The pivot of column_world() [m], on top of the larger box.
 Vec3 column_pivot();
 
 // The angle of the centre of all movable bodies about the pivot.

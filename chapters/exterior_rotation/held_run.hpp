@@ -124,8 +124,7 @@ inline double widest(const HeldRun& run, const HeldFrame& frame, JointHold hold)
   return widest;
 }
 
-// Largest distance of a corner from its place, over all joints.
-// Returns [m] JointGap::apart
+// Largest distance of a corner from its place, over all joints [m], JointGap::apart.
 inline double farthest_apart(const HeldFrame& frame) {
   double farthest = 0.0;
   for (const JointGap& gap : frame.gaps) farthest = std::max(farthest, gap.apart);

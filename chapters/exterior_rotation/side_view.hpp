@@ -60,8 +60,7 @@ class SideView {
   std::string circles_;
 };
 
-// The outline of a box seen along z.
-// Returns [m] its four corners, anticlockwise
+// The outline of a box seen along z [m]: its four corners, anticlockwise.
 Polygon side_of(const BodyProperties& body, const BodyState& state);
 
 // A frame of a film, the magnified place in it, and how large they are on paper.
@@ -74,11 +73,9 @@ struct FilmLayout {
   double inset = 96.0;            // [pt] its edge
   double bar = 0.01;              // [m] of the scale bar in the inset
 
-  // Length of a metre of a frame.
-  // Returns [pt/m]
+  // Length of a metre of a frame [pt/m].
   [[nodiscard]] double scale() const { return width / (high.x() - low.x()); }
-  // Part of the world that the inset shows.
-  // Returns [m] its edge
+  // Part of the world that the inset shows [m]: its edge.
   [[nodiscard]] double seen() const { return inset / (scale() * magnification); }
   // Puts the inset into the upper left corner, with its own size.
   void put_inset_above();
@@ -121,8 +118,7 @@ inline constexpr int kFilmFrames = 2;
 Parameters film_parameters(Parameters first, double duration,
                            const std::array<double, kFilmFrames>& times);
 
-// The time of a frame.
-// Returns [s]
+// The time of a frame [s].
 double film_time(const Parameters& settings, int number);
 
 // Draws a frame and its magnified place.

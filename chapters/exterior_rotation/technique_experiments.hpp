@@ -46,8 +46,7 @@ struct TechniqueGaps {
   double angle_error = 0.0;
   int capped = 0;  // steps that met the cap on events: the page says so of `basic`
 
-  // The gap.
-  // Returns [m] opening or overlap, whichever is larger
+  // The gap [m], opening or overlap, whichever is larger.
   [[nodiscard]] double gap() const;
 };
 

@@ -164,7 +164,6 @@ Result measure_excluded(const Parameters& settings) {
       {"multiplications of Baraff's method for the pyramid of figure 5.6 with 7 rows that touch, "
        "all boxes over the boxes that are not stable",
        "-", work_of(pyramid_without_middle(kTouchingRows, 0.0), "baraff").saved()},
-      {"the same, unknowns", "-", cut},
       {"the same, the cube of the unknowns", "-", cut * cut * cut},
       {"the same, our default solver", "-", ours.saved()},
       {"multiplications of Baraff's method over those of our default solver, all boxes", "-",

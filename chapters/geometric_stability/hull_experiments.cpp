@@ -122,9 +122,7 @@ Result measure_hull(const Parameters& settings) {
       {"prisms that four corners call stable", "-", triangle.text + hexagon.text},
       {"prisms that the hull judges wrongly", "-", triangle.hull_wrong + hexagon.hull_wrong},
       {"share of which the hull is right, a cut corner, tolerances of damped", "-",
-       kinds[kCut].share_right()},
-      {"share of which the hull is right, a leaning tower, tolerances of damped", "-",
-       kinds[kTower].share_right()}};
+       kinds[kCut].share_right()}};
   return result;
 }
 

@@ -112,21 +112,19 @@ Result measure_any_load(const Parameters& settings) {
   };
   const Choice falsely = [](const LoadedBox& box) { return box.printed && box.moves(); };
   const Choice mended = [](const LoadedBox& box) { return box.mended && box.moves(); };
-  return {
-      {shares_of("stable", boxes, stable), shares_of("load_proof", boxes, proof_only),
-       shares_of("printed", boxes, printed), shares_of("other", boxes, other)},
-      {{"largest acceleration of a box called stable, over what its load alone would give it", "-",
-        worst(stable, &LoadedBox::ratio)},
-       {"the same by the method of multipliers", "-", worst(stable, &LoadedBox::rough)},
-       {"the same of boxes that are only load-proof", "-", worst(proof_only, &LoadedBox::ratio)},
-       {"the same of boxes called stable as printed", "-", worst(printed, &LoadedBox::ratio)},
-       {"boxes called stable", "-", count(stable)},
-       {"boxes that are only load-proof", "-", count(proof_only)},
-       {"boxes called stable as printed", "-", count(printed)},
-       {"boxes called stable as printed that move", "-", count(falsely)},
-       {"the same with errata G2, G3 and G4 mended", "-", count(mended)},
-       share_moving("share of the boxes not called stable that move", other),
-       share_moving("share of the boxes that are not load-proof that move", not_proof)}};
+  return {{shares_of("stable", boxes, stable), shares_of("load_proof", boxes, proof_only),
+           shares_of("printed", boxes, printed), shares_of("other", boxes, other)},
+          {{"largest acceleration of a box called stable, over what its load alone would give it",
+            "-", worst(stable, &LoadedBox::ratio)},
+           {"the same by the method of multipliers", "-", worst(stable, &LoadedBox::rough)},
+           {"the same of boxes called stable as printed", "-", worst(printed, &LoadedBox::ratio)},
+           {"boxes called stable", "-", count(stable)},
+           {"boxes that are only load-proof", "-", count(proof_only)},
+           {"boxes called stable as printed", "-", count(printed)},
+           {"boxes called stable as printed that move", "-", count(falsely)},
+           {"the same with errata G2, G3 and G4 mended", "-", count(mended)},
+           share_moving("share of the boxes not called stable that move", other),
+           share_moving("share of the boxes that are not load-proof that move", not_proof)}};
 }
 
 const Registered claim_5_4a_any_load_figure{

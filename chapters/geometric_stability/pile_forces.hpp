@@ -61,8 +61,7 @@ class PileForces {
   // Accelerations under weights, loads and contact forces.
   [[nodiscard]] std::span<const Acceleration> accelerations() const { return accelerations_; }
 
-  // The largest residual of an island's answer.
-  // Returns [-] see lcp_residual()
+  // The largest residual of an island's answer [-], see lcp_residual().
   [[nodiscard]] double residual() const { return residual_; }
 
  private:

@@ -10,8 +10,7 @@
 
 namespace tumble::chapters {
 
-// The corners of the face of a body that looks up most.
-// Returns [m] world frame, in order around the face
+// The corners of the face of a body that looks up most [m], world frame, in order around the face.
 inline std::array<Vec3, 4> top_of(const World& world, int body) {
   const Box box = box_of(world.bodies()[idx(body)], world.states()[idx(body)]);
   int up = 0;
@@ -43,8 +42,7 @@ inline std::vector<Wrench> random_loads(const World& world, Random& random) {
   return loads;
 }
 
-// Acceleration by a load of a body without contacts, its weight left out.
-// Returns [m/s²] see fastest_of()
+// Acceleration by a load of a body without contacts, its weight left out [m/s²], see fastest_of().
 inline double alone(const World& world, int body, const Wrench& load) {
   const BodyProperties& properties = world.bodies()[idx(body)];
   const Mat3 inverse_w = inverse_inertia_w(properties, world.states()[idx(body)].orientation_wb);

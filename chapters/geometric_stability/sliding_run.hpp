@@ -49,8 +49,7 @@ struct SlideRun {
 // The bodies that are stable by their corners, with the tolerances of damped integration.
 std::vector<char> stable_by_corners(const World& world);
 
-// The speed of the upper box.
-// Returns [m/s] along x
+// The speed of the upper box [m/s], along x.
 double speed_of_upper(const World& world);
 
 // Simulates it.

@@ -22,12 +22,10 @@ RestingPile series_of(std::string_view pattern, int blocks, double overhang);
 // A test of whether a structure stands.
 using StandTest = bool (*)(const RestingPile&);
 
-// The overhang up to which a test lets a series of figure 6.4 stand.
-// Returns [-] in lengths of a block
+// The overhang up to which a test lets a series of figure 6.4 stand [-], in lengths of a block.
 double series_limit(std::string_view pattern, int blocks, StandTest test);
 
-// The error of the reach up to which a test lets blocks hang over an edge.
-// Returns [-] relative to largest_overhang()
+// The error of the reach up to which a test lets blocks hang over an edge [-], relative to largest_overhang().
 double edge_error(int blocks, StandTest test);
 
 }  // namespace tumble::chapters

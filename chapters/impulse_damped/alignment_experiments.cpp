@@ -52,22 +52,21 @@ const std::vector<BoxEnd>& settled_heap(int per_edge, int seed, const std::strin
   return heap->second;
 }
 
-// What is tried against chatter: parts of the damping, and which numbers of it are asked for.
+// What is tried against chatter: parts of the damping, and whether the share of the boxes that chatter is a number of the figure.
 struct PartSet {
   const char* words;
   const char* parts;
-  bool share;  // of the boxes that chatter
-  bool time;   // to rest
+  bool share;
 };
 constexpr std::array<PartSet, 8> kSets{
-    {{"scaling only", "scale", true, true},
-     {"scaling and alignment tests", "scale+align+tilt", true, false},
-     {"all parts", "all", true, true},
-     {"all but scaling", "small+align+tilt+freeze", false, false},
-     {"all but slow components", "scale+align+tilt+freeze", false, false},
-     {"all but the settling of aligned boxes", "scale+small+tilt+freeze", true, false},
-     {"all but turning upright", "scale+small+align+freeze", true, false},
-     {"all but small moves undone", "scale+small+align+tilt", true, false}}};
+    {{"scaling only", "scale", true},
+     {"scaling and alignment tests", "scale+align+tilt", true},
+     {"all parts", "all", true},
+     {"all but scaling", "small+align+tilt+freeze", false},
+     {"all but slow components", "scale+align+tilt+freeze", false},
+     {"all but the settling of aligned boxes", "scale+small+tilt+freeze", true},
+     {"all but turning upright", "scale+small+align+freeze", true},
+     {"all but small moves undone", "scale+small+align+tilt", true}}};
 
 // How long the ways of the centres of a heap are from three seconds to four, all boxes together [m].
 double way_of(World world, const DampedOptions& options) {
@@ -162,7 +161,7 @@ Result measure_ablation(const Parameters& settings) {
       attempt(kSets[0], reported, per_edge, seeds), attempt(kSets[1], reported, per_edge, seeds),
       chatters);
   // Claim 5.2a. Boxes that still slide do not chatter, so that this says little where nothing rests.
-  const Tried bare = attempt({"none", "none", true, false}, {}, per_edge, 2 * seeds);
+  const Tried bare = attempt({"none", "none", true}, {}, per_edge, 2 * seeds);
   result.add(over_seeds("share of the boxes of heaps that chatter without any damping", "-", seeds,
                         [&](int left_out) { return bare.share(chatters, left_out); }));
   result.add(ways_of_heaps(per_edge, seeds, 2 * seeds));
@@ -174,15 +173,11 @@ Result measure_ablation(const Parameters& settings) {
                         : "the same, twice the shake is chatter",
             tried[0], tried[1], [=](const BoxEnd& end) { return end.rests && end.shake > shake; });
   compare("the same, 8 cubes", attempt(kSets[0], {}, 2), attempt(kSets[1], {}, 2), chatters);
-  for (std::size_t k = 0; k < kSets.size(); ++k) {
-    const std::string name = kSets[k].words;
+  for (std::size_t k = 0; k < kSets.size(); ++k)
     if (kSets[k].share)
-      result.add(over_seeds("share of the boxes that chatter, " + name, "-", seeds,
+      result.add(over_seeds(std::string("share of the boxes that chatter, ") + kSets[k].words, "-",
+                            seeds,
                             [&](int left_out) { return tried[k].share(chatters, left_out); }));
-    if (kSets[k].time)
-      result.add(over_seeds("mean time to rest, " + name, "s", seeds,
-                            [&](int left_out) { return tried[k].rest_time(left_out); }));
-  }
   return result;
 }
 
@@ -244,10 +239,6 @@ Result measure_leaning(const Parameters& settings) {
   share("of these, share that the test catches, leaning", usual, caught_lean, shaky_lean);
   share("share of the boxes that lean that chatter, all parts of the damping", all, shaky_lean,
         leans);
-  result.add(over_seeds(
-      "boxes that lean and chatter, mean of a heap and its planks", "-", seeds, [&](int left_out) {
-        return usual.count(shaky_lean, left_out) / (seeds - (left_out < 0 ? 0 : 1));
-      }));
 
   Table table{"",
               {{"tilt_deg", "deg", "between the vertical and the nearest axis of the box"},

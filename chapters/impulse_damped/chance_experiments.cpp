@@ -7,15 +7,9 @@
 namespace tumble::chapters {
 namespace {
 
-// Whether collisions are left to chance, in the order of the figure.
-struct Rule {
-  const char* name;
-  Randomness where;
-};
-constexpr std::array<Rule, 4> kRules{{{"nowhere", Randomness::off},
-                                      {"in fast collisions", Randomness::fast},
-                                      {"in slow collisions", Randomness::slow},
-                                      {"in all collisions", Randomness::all}}};
+// Which collisions are left to chance, in the order of the figure.
+constexpr std::array<Randomness, 4> kRules{Randomness::off, Randomness::fast, Randomness::slow,
+                                           Randomness::all};
 
 // What is thrown and how it is damped.
 struct Setting {
@@ -25,9 +19,9 @@ struct Setting {
   double chance = 1.0;  // how much is left to it, over the usual
 };
 
-DampedOptions options_of(const Setting& setting, const Rule& rule, int seed) {
+DampedOptions options_of(const Setting& setting, Randomness rule, int seed) {
   DampedOptions options = damped_options(setting.parts, setting.scales, seed);
-  options.noise.where = rule.where;
+  options.noise.where = rule;
   options.noise.normal *= setting.chance;
   options.noise.restitution *= setting.chance;
   return options;
@@ -42,7 +36,7 @@ World thrown(const std::string& scene, int seed) {
 using Times = std::vector<double>;
 
 // after: the seeds are those that follow this one
-Times rest_times(const Setting& setting, const Rule& rule, int seeds, double duration,
+Times rest_times(const Setting& setting, Randomness rule, int seeds, double duration,
                  int after = 0) {
   Times times;
   for (int seed = after + 1; seed <= after + seeds; ++seed) {
@@ -56,7 +50,7 @@ Times rest_times(const Setting& setting, const Rule& rule, int seeds, double dur
 }
 
 // [m] height of the lowest corner of the first die after each step.
-std::vector<double> lowest_corner(const Setting& setting, const Rule& rule, double duration) {
+std::vector<double> lowest_corner(const Setting& setting, Randomness rule, double duration) {
   World world = thrown(setting.scene, 1);
   Damped technique(options_of(setting, rule, 1));
   std::vector<double> heights;
@@ -71,7 +65,7 @@ std::vector<double> lowest_corner(const Setting& setting, const Rule& rule, doub
 Result measure_chance(const Parameters& settings) {
   const int seeds = settings.count("seeds");
   const double duration = settings.number("duration");
-  const auto times = [&](const Setting& setting, const Rule& rule) {
+  const auto times = [&](const Setting& setting, Randomness rule) {
     return rest_times(setting, rule, seeds, duration);
   };
   Result result;
@@ -109,9 +103,6 @@ Result measure_chance(const Parameters& settings) {
   out.push_back(
       ratio_of_sums("time to rest with randomness in fast collisions, over the time without any",
                     "-", damped[1], damped[0]));
-  for (std::size_t r = 0; r < kRules.size(); ++r)
-    out.push_back(mean_over_seeds(std::string("mean time to rest, randomness ") + kRules[r].name,
-                                  "s", damped[r]));
 
   Table path{"path",
              {{"time_s", "s", "time"},

@@ -85,8 +85,7 @@ inline void add_fixed_box(World& world, const Vec3& size, const Vec3& position_w
   return world;
 }
 
-// The velocity of a body.
-// Returns [m/s]
+// The velocity of a body [m/s].
 [[nodiscard]] inline Vec3 velocity_of(const World& world, int index) {
   return velocity(world.bodies()[idx(index)], world.states()[idx(index)]);
 }

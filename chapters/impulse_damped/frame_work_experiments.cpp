@@ -55,7 +55,6 @@ Result measure_frame_work(const Parameters& settings) {
           {{"pairs that were tested for contact in a step of the clump of figure 6.7, on average",
             "-", clump[1]},
            {"pairs in all, the ground included", "-", 0.5 * clump[0] * (clump[0] + 1.0)},
-           {"most pairs tested in a step of the clump", "-", clump[2]},
            {"pairs that are tested in the worst step of the clump of figure 6.7, over those of a "
             "step on average",
             "-", clump[2] / clump[1]},

@@ -181,8 +181,6 @@ Result measure_friction_on_upper(const Parameters& settings) {
   const std::size_t slide = end_of_slide(coulomb);
   quantities.push_back({"the same, only while it slides on the lower block with Coulomb's friction",
                         "-", largest_difference(runs[0], coulomb, slide)});
-  quantities.push_back({"speed given to the lower block, damped over Coulomb", "-",
-                        runs[0].fastest(1) / coulomb.fastest(1)});
 
   const auto difference = [&](const std::vector<std::string>& changed) {
     return largest_difference(blocks(changed, {"damped"}, duration),

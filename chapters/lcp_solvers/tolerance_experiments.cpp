@@ -128,7 +128,6 @@ class Rest {
     fastest_sinking = std::max(fastest_sinking, sinking);
     if (result_.status != LcpStatus::solved)
       throw std::runtime_error("a stack at rest: " + std::string(name_of(result_.status)));
-    least_force = std::min(least_force, *std::ranges::min_element(result_.f));
     left.move(result_.a, dt);
     if (ended) {
       for (double& f : result_.f) f = std::max(f, 0.0);
@@ -139,7 +138,6 @@ class Rest {
 
   Corners left;
   Corners zeroed;
-  double least_force = 0.0;      // [N]
   double unsolved = 0.0;         // steps
   double wrong = 0.0;            // steps whose answer counts as found, though a contact sinks
   double fastest_sinking = 0.0;  // [m/s²]
@@ -252,7 +250,6 @@ Result measure_negative_forces(const Parameters& settings) {
            {"depth at the end, negative forces left", "m", stack.left.depth()},
            {"P5: depth of a load below the tolerance, at the end", "m", below.left.depth()},
            {"P5: the same with a tolerance relative to the load", "m", below_relative.left.depth()},
-           {"most negative force", "N", stack.least_force},
            {"steps whose answer is wrong though the loop ends, stack", "-", stack.wrong},
            {"fastest sinking in these", "m/s²", stack.fastest_sinking},
            {"steps that the loop does not end, stack", "-",

@@ -31,8 +31,7 @@ Scene cubes(int count, bool beside, Random random) {
   return scene;
 }
 
-// Impacts of a second, once the cubes have settled.
-// Returns [1/s] by seed
+// Impacts of a second, once the cubes have settled [1/s], by seed.
 std::vector<double> rates_of(int count, bool beside, int seeds, const Parameters& settings) {
   const PlayedTechnique played{"microcollisions", {"event_cap=1000000"}};
   std::vector<double> rates;

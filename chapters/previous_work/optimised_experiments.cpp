@@ -111,11 +111,10 @@ Result measure_steps(const Parameters& settings) {
                {"dt_s", "s", "step"},
                {"time_s", "s", "from the start"},
                {"overlap", "-", "of the worst pair after this step, over an edge"}}};
-  double largest = 0.0, deepest = 0.0, gain = 0.0, ratio = 0.0;
+  double largest = 0.0, deepest = 0.0, ratio = 0.0;
   const auto ran = [&](std::size_t k, double dt) {
     Ran run = run_at(scenes[k], dt, duration, k == 1 && dt == kSmallest);
     for (const auto& [time, overlap] : run.course) table.add(k + 1, dt, time, overlap);
-    gain = std::max(gain, run.unbooked);
     if (dt == kSmallest)
       ratio = static_cast<double>(run.work.poses + run.work.momenta) /
               static_cast<double>(run.products);
@@ -139,7 +138,6 @@ Result measure_steps(const Parameters& settings) {
   result.add("multiplications of the quadratic programs over those of the complementarity problem",
              "-", ratio);
   result.add("deepest overlap after any step at this one, over an edge", "-", deepest);
-  result.add("energy at the end above that of the start, over it, at most", "-", gain);
   return result;
 }
 

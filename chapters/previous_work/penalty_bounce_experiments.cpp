@@ -107,8 +107,7 @@ bool passes(double thickness, double speed) {
   return world.states()[1].position_w.y() < -0.5 * thickness;
 }
 
-// The lowest speed at which it does, to two per cent.
-// Returns [m/s]
+// The lowest speed at which it does, to two per cent [m/s].
 double passing_speed(double thickness) {
   double speed = 10.0;
   while (speed < 1e4 && !passes(thickness, speed)) speed *= 1.02;

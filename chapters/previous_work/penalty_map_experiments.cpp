@@ -27,8 +27,7 @@ World world_of(std::size_t scene) {
   return build_world(make_scene("stack", settings[scene]));
 }
 
-// Energy that a run may gain.
-// Returns [J]
+// Energy that a run may gain [J].
 double allowed(const World& world) { return kGain * lifting_energy(world); }
 
 Outcome outcome(std::size_t scene, double stiffness, double rate, double duration) {

@@ -89,8 +89,7 @@ Meeting boxes_meet() {
           energy_of(run.world()).total() / energy};
 }
 
-// A cube that spins in free space.
-// Returns [-] what it has of its angular momentum after a second
+// A cube that spins in free space [-], what it has of its angular momentum after a second.
 double spin_left(int passes) {
   Scene scene{.gravity_w = Vec3::Zero()};
   scene.boxes.emplace_back();

@@ -55,8 +55,7 @@ Settled settle(int seed) {
   return settled;
 }
 
-// The same clump under the default technique.
-// Returns [J] after each step
+// The same clump under the default technique [J], after each step.
 std::vector<double> fall(int seed, double duration) {
   PlayedScene run(small_clump(seed), PlayedTechnique{"contact_damped"});
   std::vector<double> energies;

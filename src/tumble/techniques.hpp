@@ -26,8 +26,7 @@ struct TechniqueRecipe {
 /// The technique of a run that names none.
 inline constexpr std::string_view kDefaultTechnique = "contact_damped";
 
-/// All techniques.
-/// \return in the order in which `tumble techniques` lists them
+/// All techniques, in the order in which `tumble techniques` lists them.
 const std::vector<TechniqueRecipe>& technique_library();
 
 /// The recipe of a technique.

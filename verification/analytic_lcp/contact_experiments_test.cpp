@@ -29,42 +29,6 @@ TEST_CASE("A box bounces, sticks, rests, slides and topples in one run of the jo
   }
 }
 
-TEST_CASE(
-    "Exact impact times cost less than time stepping, and their price grows faster with the number "
-    "of bodies",
-    "[claims][analytic_lcp]") {
-  const FigureUnderTest few("claim_3_3_1e_exact_times");
-  CHECK(few.number("the same ratio for one cube") < 0.5);  // [-] measured 0.17
-  const double ten = few.number(
-      "separations and integrations with exact impact times over those of "
-      "time stepping, at equal error");
-  CHECK(ten < 0.5);  // [-] measured 0.13
-  const FigureUnderTest many("claim_3_3_1e_exact_times", {"cubes=64"});
-  CHECK(many.number("the same ratio for the most cubes") > 2.0 * ten);  // [-] measured 0.51
-}
-
-TEST_CASE("Sticky collisions spare about half of the collisions of a die",
-          "[claims][analytic_lcp]") {
-  const FigureUnderTest figure("claim_4_3a_sticky");
-  const double share =
-      figure.number("collisions until rest with sticky collisions over those without");
-  // [-] measured 0.51 over 20 dice, three here
-  CHECK(share > 0.4);
-  CHECK(share < 0.65);
-  CHECK(figure.number("the same collisions, half the threshold") > share);
-  CHECK(figure.number("the same collisions, twice the threshold") < share);
-  CHECK(figure.number("thresholds at which a flat drop misses its closed form") == 0.0);
-}
-
-TEST_CASE("A die whose every collision is sticky does not leave the ground again",
-          "[claims][analytic_lcp]") {
-  const FigureUnderTest figure("claim_4_3b_all_sticky");
-  CHECK(figure.number("bounces seen with every collision sticky over those seen without") == 0.0);
-  // [-] measured 0.21 over 20 dice
-  CHECK(figure.number("way from the first contact on, every collision sticky, over that without") <
-        0.4);
-}
-
 TEST_CASE("Painlevé's rod has one force below a friction of 4/3, and none or two above the curve",
           "[exact][analytic_lcp]") {
   const auto critical = [](double degrees) { return critical_friction(degrees * kDegree); };
@@ -130,13 +94,6 @@ TEST_CASE("The map of Painlevé's rod has its edge on the closed form, and every
     if (row[2] == 0.0) ++wrong["lifted"];  // a step from contact knows no centrifugal force
   }
   CHECK(wrong == Failures{});
-}
-
-TEST_CASE("A projectile hits a stack and every step is solved without a search for events",
-          "[claims][analytic_lcp]") {
-  const FigureUnderTest figure("claim_2_6_3a_no_events");
-  CHECK(figure.number("largest error of the velocities") < 1e-7);
-  CHECK(figure.number("steps with an overlap above 1 %") == 0.0);
 }
 
 TEST_CASE(

@@ -1,17 +1,14 @@
 /// \file
-/// \brief The claims of 2.1 and 2.5.2 on handling collisions, the errata T5 to T9, and intervals of shares and means.
+/// \brief Impacts and impulses of the claims of 2.1 and 2.5.2, counted operations, and intervals of shares and means.
+#include "tumble/geometry/signed_distance.hpp"
+
+#include "basic_colliding/counted.hpp"
 #include "driver/quick.hpp"
 #include "driver/statistics.hpp"
 #include "support/test.hpp"
 
 using namespace tumble;
 using namespace tumble::chapters;
-
-namespace {
-
-FigureUnderTest errata() { return FigureUnderTest("errata_event_search"); }
-
-}  // namespace
 
 TEST_CASE("The basic technique finds the impacts of a bouncing cube at their closed-form times",
           "[claims][basic_colliding]") {
@@ -26,42 +23,6 @@ TEST_CASE("The basic technique finds the impacts of a bouncing cube at their clo
   CHECK(figure.number("separations computed to find an impact, on average") == 24.0);
 }
 
-TEST_CASE("The basic technique meets its cap once a bouncing cube has come to rest",
-          "[claims][basic_colliding]") {
-  // 1.6 s: 15 steps end after 1.35457 s, and the first of them ends at the cap.
-  const FigureUnderTest figure("claim_2_1b_rest");
-  CHECK(figure.number("steps after that moment") == 15.0);
-  CHECK(std::abs(figure.number("share of the steps after that moment that end at the cap") -
-                 1.0 / 15.0) < 1e-12);
-  CHECK(figure.number("capped steps that begin after that moment") == 0.0);
-  // Without the thousandth of an edge that repair leaves it would meet the cap again and again:
-  // in 9 of 15 steps as measured; which ones hangs on rounding.
-  CHECK(figure.number("the same share, with overlap lifted clear of the ground") > 0.5);
-  // What is left of rest is a hop at the start of each step; each step halves (e) what is missing
-  // to it. Measured 1e-8 m and 6e-7 m/s off.
-  CHECK(std::abs(figure.number("sinking in a step at the end") -
-                 figure.number("sinking in a step at the end, closed form")) < 2e-8);  // [m]
-  CHECK(std::abs(figure.number("speed at the end of a step at the end") -
-                 figure.number("speed at the end of a step at the end, closed form")) < 1e-6);
-}
-
-TEST_CASE("Impulses alone grow faster than the height of a stack", "[claims][basic_colliding]") {
-  // A tenth of a second of 4 seeds.
-  const FigureUnderTest figure("claim_2_5_2a_stack");
-  const std::string ratio =
-      "impulses per second with four cubes over those with one cube, shortest hop ";
-  // In proportion it would be 4. Measured 16.42 and 16.40; a full second of 20 seeds gives 16.40.
-  CHECK(std::abs(figure.number(ratio + "1 ms") - 16.4) < 0.1);
-  CHECK(std::abs(figure.number(ratio + "0.1 ms") - 16.4) < 0.05);
-  // One cube hops as often as the shortest hop fits in, give or take the first.
-  CHECK(std::abs(figure.number("impulses per second, 1 cube, shortest hop 1 ms") - 1000.0) < 11.0);
-  // The ground hands up the weight: after 0.1 s to within hop/2 over 0.1 s.
-  CHECK(std::abs(figure.number("impulse of the ground over the weight, four cubes, shortest hop "
-                               "1 ms") -
-                 1.0) < 5e-3);
-  CHECK(figure.number("runs that met the cap") == 0.0);
-}
-
 TEST_CASE("A stack that needs more impulses than the cap allows is said to",
           "[unit][basic_colliding]") {
   const FigureUnderTest figure("claim_2_5_2a_stack", {"cap=1000", "seeds=2"});
@@ -71,61 +32,26 @@ TEST_CASE("A stack that needs more impulses than the cap allows is said to",
                       "1 ms") > 14.0);
 }
 
-TEST_CASE(
-    "A test at the end of the step lets a cube fly through another, a search of the way does not",
-    "[exact][basic_colliding]") {
-  // By hand: the second flies from 1.5 to 3 m and the third from 2.65 to 1.9 m; or they collide at
-  // 0.3 s, the second is back at 1.5 m at 0.4 s and stops there, and the third ends at 4 m. Impacts
-  // may be found 1 µs early: 3 m/s of that for each.
-  CHECK(std::abs(errata().number("T5: third cube ahead of the second, end of the step tested") -
-                 -1.1) < 5e-6);  // [m] measured 1e-16 off
-  CHECK(std::abs(errata().number("T5: third cube ahead of the second, way there searched") - 2.5) <
-        1e-5);  // [m] measured 1e-15 off
-}
-
-TEST_CASE("A slow landing has no last impact unless a shortest flight makes one",
-          "[exact][basic_colliding]") {
-  CHECK(errata().number("T6: impacts in a step that nothing ends, until a cap") == 100.0);
-  // Impact k leaves a flight of 2 v e^k / g, v = 0.05 m/s, e = 1/2: 1.24 µs for 13, 0.62 µs for 14.
-  CHECK(errata().number("T6: impacts in a step, a flight below 1 µs being the last") == 14.0);
-  CHECK(std::abs(errata().number("T6: time from the first of them to the last") - 0.0101924355728) <
-        8.4e-8);  // [s] 14 impacts of 6 ns; measured 1e-8 off
-}
-
-TEST_CASE(
-    "Bodies put where they overlap are found again and again, bodies put where they are apart once",
-    "[exact][basic_colliding]") {
-  CHECK(errata().number("T7: impacts, the overlapping end being kept, until a cap") == 100.0);
-  CHECK(errata().number("T7: impacts, the separated end being kept") == 1.0);
-}
-
-TEST_CASE("Bisecting an Euler step finds a false time of impact, bisecting a flight the true one",
-          "[exact][basic_colliding]") {
-  const double h = 1e-3;       // [m]
-  const double g = 9.81;       // [m/s²]
-  const double found = 2e-12;  // [s] the search's resolution, and rounding
-  CHECK(std::abs(errata().number("T8: impact time, bisecting a semi-implicit Euler step") -
-                 std::sqrt(h / g)) < found);
-  CHECK(std::abs(errata().number("T8: impact time, bisecting a flight") - std::sqrt(2.0 * h / g)) <
-        found);
-  // Cut at a third, an Euler step of dt loses 2/9 g dt² (semi-implicit) or gains it (forward).
-  const double cut = 2.0 / 9.0 * g / 3600.0;
-  CHECK(std::abs(errata().number("T8: height that cutting a step changes, forward Euler") - cut) <
-        1e-14);
-  CHECK(std::abs(errata().number("T8: height that cutting a step changes, semi-implicit Euler") -
-                 cut) < 1e-14);
-  CHECK(errata().number("T8: height that cutting a step changes, flight") < 1e-15);  // [m] 0
-}
-
-TEST_CASE(
-    "A flat landing tilts a cube if its corners collide in turn, not if they collide together",
-    "[exact][basic_colliding]") {
-  // Exact fractions: each corner that approaches takes (1 + e) times its speed over 4 / m.
-  CHECK(std::abs(errata().number("T9: spin after a flat landing, corner by corner") -
-                 1.842908714517629) < 1e-13);  // [rad/s]
-  CHECK(std::abs(errata().number("T9: the same, most of all 24 orders of the corners") -
-                 2.187993856941261) < 1e-13);
-  CHECK(errata().number("T9: spin after a flat landing, all corners together") < 1e-13);  // 2e-15
+TEST_CASE("The counted signed distance has the library's bits where faces, edges and signs tie",
+          "[unit][basic_colliding]") {
+  Random random(7);
+  int differ = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Quat orientation = k % 2 == 0 ? Quat::Identity() : random.orientation();
+    const Box box = make_box(Vec3::Zero(), orientation, Vec3::Ones());
+    // Coordinates of the centre, of a face, and of half way between, with either sign.
+    Vec3 point_b;
+    for (int i = 0; i < 3; ++i) point_b[i] = 0.25 * (static_cast<double>(random.below(9)) - 4.0);
+    const Vec3 point_w = box.axes_w * point_b;
+    const SignedDistance truth = signed_distance(box, point_w);
+    Operations counts;
+    const CountedNormal counted = counted_signed_distance(box, point_w, counts);
+    bool same = counted.distance.value == truth.distance;
+    for (std::size_t i = 0; i < 3; ++i)
+      same = same && counted.normal_w[i].value == truth.gradient_w[static_cast<int>(i)];
+    differ += same ? 0 : 1;
+  }
+  CHECK(differ == 0);
 }
 
 TEST_CASE("A share of trials has Wilson's interval", "[exact][basic_colliding]") {

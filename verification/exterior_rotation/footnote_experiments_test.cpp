@@ -1,9 +1,8 @@
 /// \file
-/// \brief The footnote for joints without glue: contacts found by geometry, and wrong ones (claim 6.2f).
+/// \brief The footnote for joints without glue: contacts found by geometry, and changes of them.
 
 #include "tumble/exterior_rotation/tolerances.hpp"
 
-#include "driver/quick.hpp"
 #include "exterior_rotation/geometric_contacts.hpp"
 #include "support/test.hpp"
 
@@ -38,23 +37,6 @@ const ContactScheme& scheme_called(const std::string& name) {
 }
 
 }  // namespace
-
-TEST_CASE("Semi-implicit Euler loses and finds contacts of the column that the right motion keeps",
-          "[claims][exterior_rotation]") {
-  const FigureUnderTest figure("claim_6_2f_wrong_contacts");
-  CHECK(figure.result.quantities.front().value >= 1.0);  // measured 23
-  CHECK(figure.number("of them before the first joint opens") >= 1.0);
-  CHECK(figure.number("changes that the reference solution has") == 4.0);
-  CHECK(figure.number("wrong changes, forward Euler") >
-        figure.number("wrong changes, classical Runge-Kutta"));
-  CHECK(figure.number("wrong changes, classical Runge-Kutta") == 0.0);
-  // By the exponential nothing is wrong as long as the column turns as one.
-  CHECK(figure.number("of these before the first joint opens") == 0.0);
-  // A tolerance that is larger than all gaps hides them.
-  const Table& sweep = figure.result.tables.at(2);
-  CHECK(sweep.rows.front()[2] > 0.0);
-  CHECK(sweep.rows.back()[2] == 0.0);
-}
 
 TEST_CASE("A corner touches up to the tolerance, and deeper than it overlaps",
           "[exact][exterior_rotation]") {

@@ -69,26 +69,6 @@ TEST_CASE("Fifteen frames leave half of the squirm that five leave, and a third 
         near(9.81 / 3600.0, 1e-12));
 }
 
-TEST_CASE("A mean of quaternion components jumps back by six turns of a frame as the sign changes",
-          "[exact][filtering]") {
-  const FigureUnderTest figure("errata_filtering");
-  // a = 5 rad/s / 60 Hz is the turn in a frame. A quaternion has half of the angle: those of the window
-  // are at -a, -a/2, 0, a/2 and a, the last two with the other sign. Their cosines add up to 1 and
-  // their sines to the tangent of half of the error.
-  const double a = 5.0 / 60.0;
-  const double failure = 2.0 * std::atan(2.0 * (std::sin(a) + std::sin(0.5 * a)));
-  CHECK(figure.number("P13: angle to the right mean while a sign changes, mean of components") ==
-        near(failure, 1e-12));
-  CHECK(
-      figure.number("P13: angle to the right mean while a sign changes, mean of rotation vectors") <
-      1e-14);  // [rad] measured 6e-16
-  CHECK(figure.number("angle to the right mean of a body that stops, components with one sign") >
-        1e-6);
-  CHECK(figure.number("angle to the right mean of a body that stops, mean of rotation vectors") <
-        1e-14);
-  CHECK(figure.number("by how much that mean of components is shorter than 1") > 1e-3);
-}
-
 TEST_CASE("Squirm of white noise under box filters is the root of summed squares of weights",
           "[exact][filtering]") {
   const double raw = squirm(white_noise(20000, 1), 1.0 / 60.0);

@@ -146,16 +146,3 @@ TEST_CASE(
     CHECK(run.acceleration() < 1e-5);  // [-] of free fall; measured: 5e-8 to 7e-8
   }
 }
-
-TEST_CASE("Some chatter is left in the settled clump, and none with twice the damping",
-          "[claims][filtering]") {
-  const FigureUnderTest figure("claim_6_1b_chatter", {"per_edge=4", "varied=1"});
-  const double share = figure.number(
-      "share of the bodies of the settled clump that chatter by a thousandth of an edge or more");
-  CHECK(share >= 0.05);  // measured: 0.125 of 64 cubes, two seeds
-  CHECK(figure.number("the same share of those that rest") >= share);
-  CHECK(figure.number("the same share, chatter from half a thousandth on") >= share);
-  CHECK(figure.number("the same share, chatter from two thousandths on") <= share);
-  CHECK(figure.number("the same share with twice the damping") < 0.05);
-  CHECK(figure.number("the same share with twice the epsilons") < 0.05);
-}

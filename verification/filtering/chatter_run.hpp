@@ -43,11 +43,9 @@ struct ChatterRun {
   std::int64_t capped = 0;           // steps that met the cap of events
   std::int64_t last_collisions = 0;  // that were resolved while the bodies were watched
 
-  // The largest amplitude of a body that rests.
-  // Returns [m] NaN if nothing rests
+  // The largest amplitude of a body that rests [m], NaN if nothing rests.
   [[nodiscard]] double amplitude() const { return largest(resting, &BodyChatter::amplitude); }
-  // The largest acceleration of a body that rests.
-  // Returns [-] 1 is a free fall; NaN if nothing rests
+  // The largest acceleration of a body that rests [-], 1 is a free fall; NaN if nothing rests.
   [[nodiscard]] double acceleration() const { return largest(resting, &BodyChatter::acceleration); }
   // How many do not rest.
   [[nodiscard]] int restless() const { return bodies - static_cast<int>(resting.size()); }

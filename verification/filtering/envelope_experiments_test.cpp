@@ -20,31 +20,6 @@ std::vector<double> column(const Table& table, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE(
-    "The thesis's envelope stills chattering bodies in nine frames of ten, and pops; the soft one "
-    "does not",
-    "[claims][filtering]") {
-  const FigureUnderTest figure("claim_5_5c_envelope");
-  CHECK(figure.number("bodies that chatter, of all seeds") >= 5.0);
-  CHECK(figure.number("of two sayings about the envelope filter those that hold: bodies that "
-                      "chatter stand still in nine frames of ten or more, and there are pops") ==
-        2.0);
-  CHECK(figure.number("share of frames in which bodies that chatter stand still, envelope of the "
-                      "thesis") >= 0.9);
-  CHECK(figure.number("pops of a body that chatters, envelope of the thesis") > 0.0);
-  CHECK(figure.number("pops of a body that chatters, soft envelope") == 0.0);
-  CHECK(figure.number("largest pop, envelope of the thesis") >= 10.0);
-  // Both sayings hold for half the envelope and for twice, which pops less often.
-  CHECK(figure.number("the same sayings, half the envelope") == 2.0);
-  CHECK(figure.number("the same sayings, twice the envelope") == 2.0);
-  CHECK(figure.number("pops of a body that chatters, half the envelope") >
-        figure.number("pops of a body that chatters, twice the envelope"));
-  // Filtering takes most of the movement away, and it costs overlap.
-  CHECK(figure.number("mean speed of the fastest corner at rest, envelope of the thesis") <
-        0.2 * figure.number("mean speed of the fastest corner at rest, computed"));
-  CHECK(figure.number("largest overlap made by filtering, envelope of the thesis") > 1.0);
-}
-
 TEST_CASE("A wider envelope lets a body that chatters rest for more frames",
           "[claims][filtering]") {
   const FigureUnderTest figure("claim_5_5c_envelope");

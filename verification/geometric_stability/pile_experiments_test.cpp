@@ -181,38 +181,3 @@ TEST_CASE("No way to classify boxes calls one stable that moves", "[claims][geom
   CHECK(figure.number("largest acceleration of a box that rests, three solvers, over g") < 1e-8);
   CHECK(figure.number("least acceleration of a box that moves, three solvers, over g") > 1e-5);
 }
-
-TEST_CASE("A box called stable does not accelerate under any load, some called so as printed do",
-          "[claims][geometric_stability]") {
-  const FigureUnderTest figure("claim_5_4a_any_load");
-  const char* decides =
-      "largest acceleration of a box called stable, over what its load alone would give it";
-  CHECK(figure.number(decides) < 1e-9);  // [-] rounding; measured 6e-11 over 300 piles
-  CHECK(figure.number("the same of boxes that are only load-proof") < 1e-9);
-  CHECK(figure.number("the same of boxes called stable as printed") > 1.0);
-  CHECK(figure.number("boxes called stable as printed that move") > 0.0);
-  CHECK(figure.number("the same with errata G2, G3 and G4 mended") == 0.0);
-  // Measured 0.73 and 0.89 with 20 loads; here 5.
-  CHECK(figure.number("share of the boxes not called stable that move") > 0.5);
-  CHECK(figure.number("share of the boxes that are not load-proof that move") > 0.6);
-}
-
-TEST_CASE("Where hull and corners differ the hull is right more often than not, and never unsafe",
-          "[claims][geometric_stability]") {
-  const FigureUnderTest figure("claim_5_4c_hull");
-  CHECK(figure.number("boxes of random piles on which the two rules differ") > 5.0);
-  const char* decides =
-      "share of the boxes on which the two rules differ of which the hull is right";
-  // Measured 0.74 over 800 piles, 0.66 to 0.81; here 40.
-  CHECK(figure.number(decides) > 0.4);
-  CHECK(figure.number(decides) < 1.0);
-  CHECK(figure.number("of these, called stable by the hull and moving") == 0.0);
-  CHECK(figure.number("of these, called stable by the text and moving") > 0.0);
-  CHECK(figure.number("prisms that four corners call stable") == 0.0);
-  CHECK(figure.number("prisms that the hull judges wrongly") == 0.0);
-  CHECK(figure.number("share of the prisms that the hull calls stable") > 0.3);
-  CHECK(figure.number("share of which the hull is right, a cut corner, tolerances of damped") ==
-        0.0);
-  CHECK(figure.number("share of which the hull is right, a leaning tower, tolerances of damped") ==
-        1.0);
-}

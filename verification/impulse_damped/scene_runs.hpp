@@ -39,8 +39,7 @@ struct Course {
   int not_finite = 0;     // steps after which a position was no number
 };
 
-// How fast the fastest centre is.
-// Returns [m/s]
+// How fast the fastest centre is [m/s].
 inline double fastest_of(const World& world) {
   double speed = 0.0;
   for (std::size_t k = 0; k < world.bodies().size(); ++k)
@@ -48,8 +47,7 @@ inline double fastest_of(const World& world) {
   return speed;
 }
 
-// The largest distance between the places of the same body in two worlds.
-// Returns [m] infinite if a place is no number
+// The largest distance between the places of the same body in two worlds [m]: infinite if a place is no number.
 inline double distance_of(const World& a, const World& b) {
   double worst = 0.0;
   for (std::size_t k = 0; k < a.states().size(); ++k) {
@@ -59,8 +57,7 @@ inline double distance_of(const World& a, const World& b) {
   return worst;
 }
 
-// The largest angle between the orientations of the same body in two worlds.
-// Returns [rad]
+// The largest angle between the orientations of the same body in two worlds [rad].
 inline double turned_most_of(const World& a, const World& b) {
   double worst = 0.0;
   for (std::size_t k = 0; k < a.states().size(); ++k)

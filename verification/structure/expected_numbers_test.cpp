@@ -113,7 +113,7 @@ NumberUsers number_users(const std::vector<SourceFile>& files) {
         users.whole.insert(name.substr(0, name.size() - 3));
     } else if (path.starts_with("verification/") && path.ends_with("_test.cpp")) {
       users.tested.push_back(literals_in(file.text));
-      if (name == "errata_numbers_test.cpp")  // compares every number of its figures
+      if (name == "claims_test.cpp")  // compares every number of its figures
         users.whole.insert(users.tested.back().begin(), users.tested.back().end());
     }
   }
@@ -154,7 +154,7 @@ TEST_CASE("A number is used by a record, a page, a caption, a picture or a test"
   CHECK(unused_with({"figures/falling/drop.gp", "stats stem.'_numbers.csv'"}) == 0);
   CHECK(unused_with({"verification/falling/drop_test.cpp",
                      R"(f("drop", "speed, at " + to_string(2) + " m"))"}) == 1);
-  CHECK(unused_with({"verification/chapters/errata_numbers_test.cpp", "{\"drop\"}"}) == 0);
+  CHECK(unused_with({"verification/chapters/claims_test.cpp", "{\"drop\"}"}) == 0);
 }
 
 TEST_CASE("Every expected number is used", "[structure]") {

@@ -26,8 +26,7 @@ inline int run(World& world, Technique& technique, int steps, double dt = 1.0 / 
   return failed;
 }
 
-// The largest speed in a world.
-// Returns [m/s] of a centre, or [rad/s] of a spin
+// The largest speed in a world [m/s], of a centre, or [rad/s] of a spin.
 inline double fastest(const World& world) {
   double speed = 0.0;
   for (std::size_t k = 0; k < world.bodies().size(); ++k)

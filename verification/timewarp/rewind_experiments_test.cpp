@@ -65,34 +65,6 @@ TEST_CASE("Of those near a collision each body that is taken back flies twice",
   }
 }
 
-TEST_CASE("Taking back all bodies costs ten times as much as two of 512, if they are fast enough",
-          "[claims][timewarp]") {
-  const FigureUnderTest figure("claim_2_4_3a_rewinding");
-  // [-] measured 21 over 20 cages; between 10 and 40 is where collisions in a frame put it
-  const double ratio = figure.number(
-      "integrations per event of 512 bodies at constant density, all taken back over those near");
-  CHECK(ratio > 10.0);
-  CHECK(ratio < 40.0);
-  // By counting: all n fly for a collision; those near four times, less one in six for walls.
-  const double fixed = figure.number(
-      "of them under all but full timewarp, the flights of all bodies that each frame has anyway");
-  CHECK(figure.number("integrations per event of 512 bodies, all taken back") ==
-        near(512.0 + fixed, 0.05 * fixed));
-  CHECK(figure.number("integrations per event of 512 bodies, simple") ==
-        near(2.0 * figure.number("bodies taken back per event of 512, simple") + fixed, 1e-9));
-  CHECK(figure.number("integrations per event of 512 bodies, full timewarp") < fixed);
-  CHECK(figure.number("the first number with a sixteenth of the speeds") < 0.5 * ratio);
-
-  // All taken back grow with the number of bodies, the others hardly do.
-  const Table& table = figure.result.tables.front();
-  CHECK(column_of(table, "all").back() > 20.0 * column_of(table, "all").front());
-  for (const char* form :
-       {"simple", "swept", "full", "simple_tests", "swept_tests", "full_tests"}) {
-    INFO(form);
-    CHECK(column_of(table, form).back() < 4.0 * column_of(table, form).front());
-  }
-}
-
 TEST_CASE("What full timewarp loses by waiting on every frame falls with the collisions in it",
           "[claims][timewarp]") {
   const FigureUnderTest figure("claim_2_4_3b_synchronising", {"seeds=8"});

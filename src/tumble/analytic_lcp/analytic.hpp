@@ -145,8 +145,7 @@ class Analytic : public Technique {
   /// known, and their contacts are not listed.
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const override;
-  /// The problem that the last step could not solve.
-  /// \return nullptr if there is none; valid until the next step
+  /// The problem that the last step could not solve; nullptr if there is none; valid until the next step.
   [[nodiscard]] const LcpProblem* unsolved_problem() const {
     return unsolved_ ? &forces_.unsolved() : nullptr;
   }

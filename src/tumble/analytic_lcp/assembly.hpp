@@ -22,9 +22,6 @@ struct ContactRow {
 
 /// The acceleration of a body's material at a point that it carries along,
 /// \f$\dot v + \dot\omega \times r + \omega \times (\omega \times r)\f$.
-/// \param body          how it moves
-/// \param acceleration  how that changes
-/// \param point_w       [m] world frame
 /// \return [m/s²] world frame
 Vec3 acceleration_at(const MovingBody& body, const Acceleration& acceleration, const Vec3& point_w);
 
@@ -41,8 +38,6 @@ void free_accelerations(const World& world, std::span<const MovingBody> bodies,
                         std::vector<Acceleration>& out);
 
 /// Adds what forces do to the motion of bodies, \f$m^{-1} F\f$ and \f$I_w^{-1} \tau\f$.
-/// \param bodies         how easily they are moved, one for each body index
-/// \param wrenches       what acts, one for each body
 /// \param accelerations  one for each body; added to
 /// \throws std::invalid_argument if the lengths differ
 void accelerate(std::span<const MovingBody> bodies, std::span<const Wrench> wrenches,
@@ -60,8 +55,6 @@ void accelerate(std::span<const MovingBody> bodies, std::span<const Wrench> wren
 /// its own face instead of the one that the edge lies on, until it is tilted by
 /// `tolerance::face_preference_length` or so; the second derivative of the gap is then off by at most
 /// twice the relative angular velocity times the speed at which the edge slides.
-/// \param world    orientations
-/// \param bodies   how they move, one for each body index
 /// \param contact  found at the present poses
 /// \return [1/s] across the normal, world frame
 /// \throws std::invalid_argument for a body or an axis that there is not, or edges that are
@@ -96,8 +89,6 @@ Vec3 rate_of_normal(const World& world, std::span<const MovingBody> bodies, cons
 class ContactProblem {
  public:
   /// Sets up the problem of an instant.
-  /// \param world          masses and orientations
-  /// \param bodies         how they move and how easily they are moved, one for each body index
   /// \param free           how they accelerate without contact forces, see free_accelerations()
   /// \param contacts       what touches, found at the present poses. Distances are not looked at:
   ///                       b is without the terms in proportion to them
@@ -114,16 +105,13 @@ class ContactProblem {
   /// \throws std::invalid_argument if there is not one for each row
   void add_to_b(std::span<const double> terms);
 
-  /// The problem, with the factors of its matrix.
-  /// \return A, b; no equalities
+  /// The problem, with the factors of its matrix: A, b; no equalities.
   [[nodiscard]] const LcpProblem& lcp() const { return lcp_; }
 
-  /// Where the rows come from.
-  /// \return one for each row, in the order of contacts and points
+  /// Where the rows come from: one for each row, in the order of contacts and points.
   [[nodiscard]] std::span<const ContactRow> rows() const { return rows_; }
 
   /// How many points have no row because they part.
-  /// \return from 0
   [[nodiscard]] int separating() const { return separating_; }
 
   /// How fast the points with a row approach: a collision was missed if this is large.

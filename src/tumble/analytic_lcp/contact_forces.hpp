@@ -88,8 +88,6 @@ class ContactForces {
   explicit ContactForces(const ContactForceOptions& options);
 
   /// Finds the forces.
-  /// \param world     orientations, masses, gravity
-  /// \param bodies    how they move, one for each body index
   /// \param contacts  points that rest, with approach speeds of now. Impulses in: those of an earlier
   ///                  instant, where to start from; out: force times aim.duration; 0 between bodies
   ///                  that are left out
@@ -98,20 +96,16 @@ class ContactForces {
   ForceReport solve(const World& world, std::span<const MovingBody> bodies,
                     std::span<Contact> contacts, const ForceAim& aim);
 
-  /// What the forces do to the bodies.
-  /// \return one for each body index
+  /// What the forces do to the bodies: one for each body index.
   [[nodiscard]] std::span<const Wrench> wrenches() const { return wrenches_; }
 
-  /// How bodies accelerate under gravity and these forces.
-  /// \return one for each body index
+  /// How bodies accelerate under gravity and these forces: one for each body index.
   [[nodiscard]] std::span<const Acceleration> accelerations() const { return total_; }
 
-  /// The bodies that are left out as stable.
-  /// \return as of the last solve()
+  /// The bodies that are left out as stable, as of the last solve().
   [[nodiscard]] const HeldBodies& held() const { return held_; }
 
-  /// The problem that could not be solved.
-  /// \return of the last solve(), if it was not solved
+  /// The problem of the last solve(), if it was not solved.
   [[nodiscard]] const LcpProblem& unsolved() const { return unsolved_; }
 
  private:

@@ -35,13 +35,11 @@ class ForcedFlight {
   void set_wrenches(std::span<const Wrench> wrenches);
 
   /// Makes bodies follow those that push them.
-  /// \param bodies  how they move at the start, by index
   /// \param pushed  pairs of a pushing and a pushed body
   void carry(const World& world, std::span<const MovingBody> bodies,
              std::span<const PushedPair> pushed);
 
   /// Sets the accelerations of bodies that follow others, due to the wrenches and gravity.
-  /// \param rates by body index
   void accelerate(std::span<const Acceleration> rates);
 
   /// The displacement of a body from its parabola because it follows another one.
@@ -62,8 +60,7 @@ class ForcedFlight {
   /// \throws std::invalid_argument if an angular momentum is not finite
   void put(World& world, int body, double time, RotationRule rule) const;
 
-  /// The states at the start.
-  /// \return one for each body index
+  /// The states at the start: one for each body index.
   [[nodiscard]] std::span<const BodyState> start() const { return start_; }
 
  private:

@@ -44,7 +44,6 @@ inline Vec3 across(const Vec3& v, const Vec3& n) { return v - n.dot(v) * n; }
 /// the other two axes where n is an axis of the world. With unit tangents u, v and
 /// \f$w_k = u_k - i v_k\f$ the arms are at the angles \f$-\tfrac14 \arg \sum_k w_k^4\f$ from u to v
 /// and a quarter turn on. n and -n have the same cross.
-/// \param normal_w [-] world frame, length 1
 /// \return a right-handed frame (first, second, normal); which arm comes first, and its sign, jumps
 Tangents pyramid_axes(const Vec3& normal_w);
 
@@ -94,28 +93,20 @@ class FrictionPyramid {
  public:
   /// Sets up the problem.
   /// \param bodies      how easily they are moved, one for each body index; velocities are not read
-  /// \param contacts    what touches; normals and coefficients of friction are theirs
-  /// \param points      the points that can push
   /// \param directions  of the pyramid: 4 or 8; 0 leaves friction out altogether
   /// \throws std::invalid_argument for another number of directions, an index out of range, a
   ///         constant that is not finite, or a sliding direction that is neither 0 nor of length 1
   void assemble(std::span<const MovingBody> bodies, std::span<const Contact> contacts,
                 std::span<const FrictionPoint> points, int directions);
 
-  /// How large a problem would be.
-  /// \param contacts    what touches
-  /// \param points      the points that can push
-  /// \param directions  of the pyramid
-  /// \return N; 0 if no point has friction, so that the problem is a symmetric one
+  /// How large a problem would be: N; 0 if no point has friction, so that the problem is a symmetric one.
   [[nodiscard]] static int unknowns(std::span<const Contact> contacts,
                                     std::span<const FrictionPoint> points, int directions);
 
-  /// The problem.
-  /// \return A and b, without factors; the unknowns point by point, each one's c, β, λ
+  /// The problem: A and b, without factors; the unknowns point by point, each one's c, β, λ.
   [[nodiscard]] const LcpProblem& lcp() const { return lcp_; }
 
-  /// Whether any point has friction.
-  /// \return if not, the matrix is symmetric and positive semidefinite
+  /// Whether any point has friction; if not, the matrix is symmetric and positive semidefinite.
   [[nodiscard]] bool has_friction() const { return has_friction_; }
 
   /// What the answer pushes with.

@@ -50,8 +50,6 @@ class FrictionSweeps {
   static constexpr int kLeastSweeps = 200;  ///< that are always allowed
 
   /// Looks for the pushes.
-  /// \param bodies    how they move without any push, one for each body index
-  /// \param contacts  what touches; normals and coefficients of friction are theirs
   /// \param points    the points that can push; `sliding_w` and `tangential_constant_w` are not read
   /// \param wanted    [m/s] a change that is small enough
   /// \param pushes    [N s] one for each point, on the second body, world frame: where to start, and the answer

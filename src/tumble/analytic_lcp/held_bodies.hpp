@@ -28,15 +28,12 @@ class HeldBodies {
   explicit HeldBodies(StableRule rule) : rule_(rule), boxes_(rule) {}
 
   /// Finds the held bodies.
-  /// \param world     masses, poses, gravity
-  /// \param bodies    how they move, one for each body index
   /// \param contacts  points that rest
   /// \return the bodies, held ones with inverse masses of 0. With the rule `off` it is `bodies`
   std::span<const MovingBody> find(const World& world, std::span<const MovingBody> bodies,
                                    std::span<const Contact> contacts);
 
-  /// The held bodies, by body index.
-  /// \return a Hold for each; empty with the rule `off`
+  /// The held bodies, by body index: a Hold for each; empty with the rule `off`.
   [[nodiscard]] std::span<const char> held() const { return held_; }
 
   /// Whether a movable body is held.
@@ -46,7 +43,6 @@ class HeldBodies {
   }
 
   /// Whether both bodies of a contact are held or immovable, so that no force is known there.
-  /// \param contact  two bodies
   /// \return false with the rule `off`
   [[nodiscard]] bool both(const Contact& contact) const {
     return !held_.empty() && held_[static_cast<std::size_t>(contact.first)] != 0 &&
@@ -55,7 +51,6 @@ class HeldBodies {
 
   /// What holds them: accelerations that end their speed along which they are held, and the wrenches
   /// that do it, what the others push them with included.
-  /// \param world          masses, poses, momenta, gravity
   /// \param relaxation     [s] in which such a speed becomes 0
   /// \param accelerations  by body index; those of held bodies are overwritten
   /// \param wrenches       ditto

@@ -32,7 +32,6 @@ class IslandDamping {
   /// Slows bodies down.
   /// \param contacts  with the impulses of the last flight; a contact without any does not count
   /// \param held      the bodies left out of the forces; contacts between two of them count
-  /// \param dt        [s] the time step
   /// \param world     momenta in and out
   /// \return [J] energy added: 0 or below
   double run(std::span<const Contact> contacts, const HeldBodies& held, const DampingShares& shares,

@@ -31,9 +31,7 @@ class PassingContacts {
  public:
   /// Adds contacts.
   /// \param world     the bodies at the start of the step
-  /// \param bodies    how they move, one for each body index
   /// \param pairs     that may meet, in ascending order
-  /// \param dt        [s] the step
   /// \param contacts  in and out, in ascending order
   /// \param report    pair tests are counted
   void add(const World& world, std::span<const MovingBody> bodies, std::span<const IndexPair> pairs,
@@ -45,7 +43,6 @@ class PassingContacts {
   /// \param start     their states at its start
   /// \param before    how they moved at its start, one for each body index
   /// \param bodies    how they moved during it
-  /// \param dt        [s] the step
   /// \param contacts  of the step, in ascending order
   /// \param out       those and the new ones, in ascending order, if there is a new one; a pair may have several
   /// \param report    pair tests are counted

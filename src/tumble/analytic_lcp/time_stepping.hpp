@@ -90,12 +90,10 @@ class TimeStepping : public Technique {
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const override;
-  /// The problem that the last step could not solve.
-  /// \return nullptr if there is none; valid until the next step
+  /// The problem that the last step could not solve; nullptr if there is none; valid until the next step.
   [[nodiscard]] const LcpProblem* unsolved_problem() const { return velocity_step_.problem(); }
 
-  /// How the velocities of the last step were found.
-  /// \return with the error of the answers
+  /// How the velocities of the last step were found, with the error of the answers.
   [[nodiscard]] const VelocityStepResult& velocities() const { return velocities_; }
 
  private:

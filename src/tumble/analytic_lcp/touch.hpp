@@ -18,10 +18,7 @@ enum class PointMotion : std::uint8_t {
   parts      ///< moves apart
 };
 
-/// The size of a pair.
-/// \param first   index of a body
-/// \param second  index of another one
-/// \return [m] the shortest edge of the smaller one; the ground has none
+/// The size of a pair [m]: the shortest edge of the smaller one; the ground has none.
 double pair_size(const World& world, int first, int second);
 
 /// What lengths and speeds of a pair of bodies are compared with.
@@ -31,9 +28,6 @@ struct TouchScale {
 };
 
 /// The scale of a pair.
-/// \param world   the bodies, and gravity
-/// \param first   index of a body
-/// \param second  index of another one
 /// \param dt      [s] the time step; matters only where there is no gravity
 /// \return L and tolerance::resting_speed times sqrt(g L); without gravity
 ///         tolerance::resting_speed_weightless times L / dt
@@ -46,7 +40,6 @@ TouchScale touch_scale(const World& world, int first, int second, double dt);
 PointMotion motion_of(const ContactPoint& point, const TouchScale& scale);
 
 /// Finds all points within the margin of their pair, tolerance::contact_margin of its size.
-/// \param bodies      how they move, one for each body index
 /// \param candidates  pairs as gather_contacts() takes them
 /// \param previous    contacts of an earlier instant: axes and impulses are taken over from them
 /// \param out         is overwritten; every contact has a point. Not `previous`
@@ -56,7 +49,6 @@ GatherReport gather_near(const World& world, std::span<const MovingBody> bodies,
                          ContactList& out);
 
 /// The same for all pairs of a world at an instant.
-/// \param bodies  how they move, one for each body index
 /// \param out     is overwritten; contacts in the order of their indices
 /// \par Cost
 /// n log n, and a closest-feature search for each pair whose boxes come near.

@@ -115,8 +115,7 @@ class VelocityStep {
                            std::span<Contact> contacts, double dt,
                            const VelocityStepOptions& options, std::span<MovingBody> bodies);
 
-  /// The problem that the last step has not solved.
-  /// \return valid until the next step; nullptr if it has solved all
+  /// The problem that the last step has not solved; valid until the next step; nullptr if it has solved all.
   [[nodiscard]] const LcpProblem* problem() const {
     return failed_ && used_pyramids_ > 0 ? &pyramids_[used_pyramids_ - 1].lcp() : nullptr;
   }

@@ -25,12 +25,10 @@ class ErrataList {
   /// \param groups in the order of the listings
   explicit ErrataList(std::span<const ErrataGroup> groups);
 
-  /// All ids.
-  /// \return in the order of the groups
+  /// All ids, in the order of the groups.
   [[nodiscard]] std::span<const std::string> ids() const { return ids_; }
 
   /// The place of an erratum.
-  /// \param id one of ids()
   /// \return from 0
   /// \throws std::invalid_argument for another id, with the known ones
   [[nodiscard]] std::size_t place_of(std::string_view id) const;
@@ -69,22 +67,18 @@ class ErrataSetOf {
   explicit ErrataSetOf(std::string_view list) : mended_(known_errata().read(list)) {}
 
   /// All errata of the listings.
-  /// \return each once
   [[nodiscard]] static ErrataSetOf all() { return ErrataSetOf("all"); }
 
-  /// The ids, in the order of the listings.
-  /// \return see ErrataList::ids()
+  /// The ids, in the order of the listings; see ErrataList::ids().
   [[nodiscard]] static std::span<const std::string> known() { return known_errata().ids(); }
 
   /// Whether an erratum is in the set.
-  /// \param id one of known()
   /// \throws std::invalid_argument for another id
   [[nodiscard]] bool has(std::string_view id) const {
     return mended_.test(known_errata().place_of(id));
   }
 
   /// The same set with one erratum more.
-  /// \param id one of known()
   /// \throws std::invalid_argument for another id
   [[nodiscard]] ErrataSetOf with(std::string_view id) const {
     ErrataSetOf copy = *this;
@@ -93,7 +87,6 @@ class ErrataSetOf {
   }
 
   /// The same set with one erratum less.
-  /// \param id one of known()
   /// \throws std::invalid_argument for another id
   [[nodiscard]] ErrataSetOf without(std::string_view id) const {
     ErrataSetOf copy = *this;
@@ -101,12 +94,10 @@ class ErrataSetOf {
     return copy;
   }
 
-  /// The set as a list, which the constructor reads.
-  /// \return for example "A1,B3"; "none" if it is empty
+  /// The set as a list, which the constructor reads, for example "A1,B3"; "none" if it is empty.
   [[nodiscard]] std::string text() const { return known_errata().text(mended_); }
 
   /// Whether two sets hold the same errata.
-  /// \param other the other set
   bool operator==(const ErrataSetOf& other) const = default;
 
  private:

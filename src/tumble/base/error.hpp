@@ -11,56 +11,32 @@
 /// Three kinds of failure are kept apart. A caller's mistake throws `std::invalid_argument`,
 /// always, from the functions below. A mathematical outcome (no solution, not converged, cap
 /// reached) is a status in the result. Our own beliefs are `assert`s of debug builds.
+///
+/// Each takes the name that a value has in the caller's argument list, for the message.
 namespace tumble::require {
 
 /// Refuses a value that is not finite.
-/// \param value  what was given
-/// \param name   what it is called in the caller's argument list
-/// \throws std::invalid_argument naming the value
 void finite(double value, std::string_view name);
 
 /// Refuses a vector with a component that is not finite.
-/// \param value  what was given
-/// \param name   what it is called in the caller's argument list
-/// \throws std::invalid_argument naming the value
 void finite(const Vec3& value, std::string_view name);
 
 /// Refuses a matrix with an entry that is not finite.
-/// \param value  what was given
-/// \param name   what it is called in the caller's argument list
-/// \throws std::invalid_argument naming the value
 void finite(const Mat3& value, std::string_view name);
 
 /// Refuses a value that is not finite and greater than zero.
-/// \param value  what was given
-/// \param name   what it is called in the caller's argument list
-/// \throws std::invalid_argument naming the value
 void positive(double value, std::string_view name);
 
 /// Refuses a value that is not finite and at least zero.
-/// \param value  what was given
-/// \param name   what it is called in the caller's argument list
-/// \throws std::invalid_argument naming the value
 void not_negative(double value, std::string_view name);
 
 /// Refuses a value outside [low, high].
-/// \param value  what was given
-/// \param low    smallest value accepted
-/// \param high   largest value accepted
-/// \param name   what it is called in the caller's argument list
-/// \throws std::invalid_argument naming the value
 void within(double value, double low, double high, std::string_view name);
 
 /// Refuses a vector whose length is not 1 to within `tolerance::unit_length`.
-/// \param value  what was given
-/// \param name   what it is called in the caller's argument list
-/// \throws std::invalid_argument naming the value
 void unit(const Vec3& value, std::string_view name);
 
 /// Refuses a quaternion whose length is not 1 to within `tolerance::unit_length`.
-/// \param value  what was given
-/// \param name   what it is called in the caller's argument list
-/// \throws std::invalid_argument naming the value
 void unit(const Quat& value, std::string_view name);
 
 /// Refuses whatever does not fulfil a condition.

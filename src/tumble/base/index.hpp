@@ -7,7 +7,6 @@
 namespace tumble {
 
 /// A number as a place in a container: `bodies[idx(k)]`.
-/// \param number  at least 0
 constexpr std::size_t idx(int number) { return static_cast<std::size_t>(number); }
 
 }  // namespace tumble

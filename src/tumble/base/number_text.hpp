@@ -21,19 +21,15 @@ std::optional<double> parse_number(std::string_view text);
 /// \param text for example "5ms", which becomes "ms"; unchanged if it does not begin with a number
 std::optional<double> take_number(std::string_view& text);
 
-/// The shortest text that reads back to the same bits.
-/// \param value any number
-/// \return for example `0.1`, `1e+06`, `nan`, `-inf`
+/// The shortest text that reads back to the same bits, for example `0.1`, `1e+06`, `nan`, `-inf`.
 std::string shortest_text(double value);
 
 /// A text with so many significant digits as printf's `%.{digits}g` has.
-/// \param value   any number
 /// \param digits  1 to 17; with 17 every number reads back to the same bits
 /// \return for example `0.333`, `nan`, `-inf`
 std::string rounded_text(double value, int digits);
 
 /// A text with so many decimals as printf's `%.{decimals}f` has.
-/// \param value     any number
 /// \param decimals  0 to 17
 /// \return for example `0.50`, `nan`, `-inf`
 std::string fixed_text(double value, int decimals);

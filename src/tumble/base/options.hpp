@@ -28,9 +28,7 @@ struct Word {
 template <class Value>
 using Words = std::vector<Word<std::type_identity_t<Value>>>;
 
-/// The names of an enumeration as words.
-/// \param all  its values
-/// \return each with its name_of()
+/// The names of an enumeration as words, each with its name_of().
 template <class Value>
 std::vector<Word<Value>> words_of(std::span<const Value> all) {
   std::vector<Word<Value>> words;
@@ -39,44 +37,30 @@ std::vector<Word<Value>> words_of(std::span<const Value> all) {
 }
 
 /// Declares options as Parameters.
+///
+/// An option has a key, as typed by a user; a field of the struct, whose value is the default; the smallest and the largest
+/// value accepted; a unit, "-" without one; and a meaning, one line.
 class OptionDeclarer {
  public:
   /// \param parameters  get the options, in the order of description
   explicit OptionDeclarer(Parameters& parameters) : parameters_(parameters) {}
 
   /// A number.
-  /// \param key      as typed by a user
-  /// \param field    its place in the struct
-  /// \param low      smallest value accepted
-  /// \param high     largest value accepted
-  /// \param unit     "-" without one
-  /// \param meaning  one line
   void number(std::string_view key, double field, double low, double high, std::string_view unit,
               std::string_view meaning) {
     parameters_.add_number(std::string(key), field, low, high, std::string(unit),
                            std::string(meaning));
   }
   /// A whole number.
-  /// \param key      as typed by a user
-  /// \param field    its place in the struct
-  /// \param low      smallest value accepted
-  /// \param high     largest value accepted
-  /// \param meaning  one line
   void whole(std::string_view key, int field, int low, int high, std::string_view meaning) {
     parameters_.add_whole(std::string(key), field, low, high, std::string(meaning));
   }
   /// A switch.
-  /// \param key      as typed by a user
-  /// \param field    its place in the struct
-  /// \param meaning  one line
   void flag(std::string_view key, bool field, std::string_view meaning) {
     parameters_.add_flag(std::string(key), field, std::string(meaning));
   }
   /// A choice of words.
-  /// \param key      as typed by a user
-  /// \param field    its place in the struct
   /// \param words    the choices; the list for users begins with the default
-  /// \param meaning  one line
   template <class Value>
   void word(std::string_view key, const Value& field, const Words<Value>& words,
             std::string_view meaning) {
@@ -88,9 +72,6 @@ class OptionDeclarer {
     parameters_.add_word(std::string(key), std::move(choices), std::string(meaning));
   }
   /// A text.
-  /// \param key      as typed by a user
-  /// \param field    its place in the struct
-  /// \param meaning  one line
   void text(std::string_view key, const std::string& field, std::string_view meaning) {
     parameters_.add_text(std::string(key), field, std::string(meaning));
   }
@@ -131,8 +112,7 @@ class OptionReader {
   const Parameters& parameters_;
 };
 
-/// Declares the options of a struct.
-/// \return keys, defaults, units, ranges and meanings
+/// Declares the options of a struct: keys, defaults, units, ranges and meanings.
 template <class Options>
 Parameters declared_options() {
   Options options;

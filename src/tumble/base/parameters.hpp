@@ -36,43 +36,28 @@ struct Parameter {
 /// Settings are declared once, with default, unit and meaning; the command line, the
 /// lists of `tumble scenes NAME` and `tumble techniques NAME`, the chapter drivers and the
 /// recorded files all read the same declaration.
+///
+/// What declares a setting takes its default, the smallest and the largest value accepted, its unit, "-" without one, and its
+/// meaning, one line, and returns this object for the next declaration.
 class Parameters {
  public:
   /// Declares a number.
-  /// \param initial  the default
-  /// \param low      smallest value accepted
-  /// \param high     largest value accepted
-  /// \param unit     its unit; "-" without one
-  /// \param meaning  one line
-  /// \return this, for the next declaration
   Parameters& add_number(std::string key, double initial, double low, double high, std::string unit,
                          std::string meaning);
 
   /// Declares a whole number.
-  /// \param initial  the default
-  /// \param low      smallest value accepted
-  /// \param high     largest value accepted
-  /// \param meaning  one line
-  /// \return this, for the next declaration
   Parameters& add_whole(std::string key, std::int64_t initial, std::int64_t low, std::int64_t high,
                         std::string meaning);
 
   /// Declares a switch.
-  /// \param initial  the default
-  /// \param meaning  one line
-  /// \return this, for the next declaration
   Parameters& add_flag(std::string key, bool initial, std::string meaning);
 
   /// Declares a choice of words.
   /// \param choices  the words accepted; the first is the default
-  /// \param meaning  one line
-  /// \return this, for the next declaration
   Parameters& add_word(std::string key, std::vector<std::string> choices, std::string meaning);
 
   /// Declares a text. It is checked where it is used.
   /// \param initial  the default, not empty
-  /// \param meaning  one line
-  /// \return this, for the next declaration
   Parameters& add_text(std::string key, std::string initial, std::string meaning);
 
   /// Changes a setting.
@@ -87,38 +72,28 @@ class Parameters {
   void assign(std::string_view setting);
 
   /// Whether there is a setting of this name.
-  /// \return true if declared
   [[nodiscard]] bool has(std::string_view key) const;
 
   /// The value of a number.
-  /// \param key its name, declared as a number
   [[nodiscard]] double number(std::string_view key) const;
 
   /// The value of a whole number.
-  /// \param key its name, declared as whole
   [[nodiscard]] std::int64_t whole(std::string_view key) const;
 
   /// The value of a whole number, as most code wants it.
   /// \param key its name, declared as whole within the range of int
   [[nodiscard]] int count(std::string_view key) const { return static_cast<int>(whole(key)); }
 
-  /// The value of a switch.
-  /// \param key its name, declared as a flag
-  /// \return true for `on`
+  /// The value of a switch; true for `on`.
   [[nodiscard]] bool flag(std::string_view key) const;
 
-  /// The value of a choice.
-  /// \param key its name, declared as a word
-  /// \return one of its words
+  /// The value of a choice: one of its words.
   [[nodiscard]] const std::string& word(std::string_view key) const;
 
   /// The value of a text.
-  /// \param key  its name, declared as a text
-  /// \return as it was written
   [[nodiscard]] const std::string& text(std::string_view key) const { return word(key); }
 
-  /// All settings.
-  /// \return in the order of declaration
+  /// All settings, in the order of declaration.
   [[nodiscard]] std::span<const Parameter> all() const { return items_; }
 
  private:

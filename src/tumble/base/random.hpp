@@ -22,19 +22,16 @@ class Random {
   /// \param seed any number; equal seeds give equal streams
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
-  /// The next 64 random bits.
-  /// \return every value is equally likely
+  /// The next 64 random bits; every value is equally likely.
   std::uint64_t bits() {
     state_ += 0x9e3779b97f4a7c15U;  // 2^64 / golden ratio
     return mixed(state_);
   }
 
-  /// A number in [0, 1), a multiple of 2^-53.
-  /// \return every such multiple is equally likely
+  /// A number in [0, 1), a multiple of 2^-53; every such multiple is equally likely.
   double unit() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
 
   /// A number in [low, high).
-  /// \param low   smallest value
   /// \param high  upper end; low when high equals low
   /// \return low + u (high - low)
   double uniform(double low, double high) { return low + unit() * (high - low); }
@@ -51,12 +48,10 @@ class Random {
   /// \return each component in [-half, half)
   Vec3 in_cube(double half);
 
-  /// A direction, every one equally likely.
-  /// \return length 1
+  /// A direction of length 1, every one equally likely.
   Vec3 direction();
 
-  /// An orientation, every one equally likely.
-  /// \return length 1
+  /// An orientation of length 1, every one equally likely.
   Quat orientation();
 
   /// A stream of its own, named by a number, that does not disturb this one.
@@ -66,8 +61,7 @@ class Random {
     return Random(mixed(state_ ^ mixed(name + 0x9e3779b97f4a7c15U)));
   }
 
-  /// What a snapshot has to keep.
-  /// \return hand it to the constructor to go on
+  /// What a snapshot has to keep; hand it to the constructor to go on.
   [[nodiscard]] std::uint64_t state() const { return state_; }
 
  private:

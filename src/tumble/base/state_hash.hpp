@@ -19,7 +19,6 @@ namespace tumble {
 class StateHash {
  public:
   /// Mixes in a whole number, byte by byte from the lowest.
-  /// \param value any 64 bits
   void add(std::uint64_t value) {
     for (int byte = 0; byte < 8; ++byte) {
       value_ ^= (value >> (8 * byte)) & 0xffU;
@@ -28,7 +27,6 @@ class StateHash {
   }
 
   /// Mixes in the bits of a number.
-  /// \param value any double
   void add(double value) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, &value, sizeof bits);  // std::bit_cast is missing in em++ 3.1.6
@@ -36,20 +34,17 @@ class StateHash {
   }
 
   /// Mixes in three numbers.
-  /// \param v the vector, x first
   void add(const Vec3& v) {
     for (int k = 0; k < 3; ++k) add(v[k]);
   }
 
   /// Mixes in four numbers.
-  /// \param q the quaternion, w first
   void add(const Quat& q) {
     add(q.w());
     add(Vec3(q.vec()));
   }
 
   /// The hash of all that was added so far.
-  /// \return 64 bits
   [[nodiscard]] std::uint64_t value() const { return value_; }
 
   /// The hash as 16 hexadecimal digits, the form that files and the golden values use.

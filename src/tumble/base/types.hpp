@@ -22,6 +22,9 @@
 /// Conventions everywhere: SI units, radians, y up, ground at y = 0, full edge lengths for sizes,
 /// quaternions w x y z from body to world, contact normals from the first body to the second.
 /// A vector that could live in two frames carries its frame as a suffix: `_w` world, `_b` body.
+/// Usual names mean the same in every function: `dt` is the step, above 0; `point_w` and `position_w` are places, `normal_w`
+/// is a direction of length 1, `orientation_wb` takes vectors of a body to the world, `omega_w` is an angular velocity, and
+/// `restitution` is from 0 to 1.
 namespace tumble {
 
 using Vec2 = Eigen::Vector2d;  ///< two components
@@ -40,8 +43,7 @@ using Quat = Eigen::Quaterniond;  ///< orientation, body to world; constructor o
 /// pairs of bodies are ever visited.
 enum class BodyId : std::uint32_t {};
 
-/// The number behind an id, for printing and hashing.
-/// \return its number, from 0
+/// The number behind an id, for printing and hashing: its number, from 0.
 constexpr std::uint32_t number_of(BodyId id) { return static_cast<std::uint32_t>(id); }
 
 }  // namespace tumble

@@ -52,7 +52,6 @@ struct PointImpulse {
 };
 
 /// Refuses values that are not those of an impact.
-/// \param impact what a caller handed in
 /// \throws std::invalid_argument naming the value that is not finite or out of range
 void check(const PointImpact& impact);
 
@@ -84,7 +83,6 @@ void check(const PointImpact& impact);
 /// The energy is that of the two bodies, in the frame of a body of infinite mass.
 /// It is split by the impulse that does the work: \f$j_n\,n\cdot(u + u^+)/2\f$ and \f$j_t\cdot(u + u^+)/2\f$.
 /// \param impact  the impact, valid in the sense of check(), which is not called
-/// \param law     what restitution means
 /// \return the impulse and its account
 /// \see Guendelman, Bridson, Fedkiw, "Nonconvex rigid bodies with stacking", 2003, section 7.
 /// \see Kane, Levinson, "Dynamics: theory and applications", 1985, on energy and Newton's law.
@@ -95,10 +93,7 @@ void check(const PointImpact& impact);
 /// Lets two bodies collide at a point: solve_impact() and apply_impulse() in one.
 /// \param first        the body that the normal leaves; changed
 /// \param second       the body that the normal enters; changed
-/// \param point_w      [m] world frame
-/// \param normal_w     [-] length 1, world frame
 /// \param friction     [-] at least 0
-/// \param restitution  [-] 0 to 1
 /// \param law          what restitution means; the approach speed is the present one
 /// \return the impulse and its account
 /// \throws std::invalid_argument naming the value that is not finite or out of range

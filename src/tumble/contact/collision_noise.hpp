@@ -42,7 +42,6 @@ struct NoisyCollision {
 /// Numbers are drawn from a stream that is named by what it is for: the same for all passes of
 /// a step, whatever else was drawn.
 /// \param contact  a contact of one point, whose bodies approach
-/// \param bodies   how they move, one for each body index
 /// \param random   the stream of this step; see Random::fork()
 /// \return normal and restitution
 /// \see Barzel, Hughes, Wood, "Plausible motion simulation for computer graphics animation", 1996.
@@ -52,7 +51,6 @@ struct NoisyCollision {
                                   const NoiseOptions& options, const Random& random);
 
 /// Whether a collision is one that is left to chance.
-/// \param contact  its point
 /// \param bodies   how the bodies move; sizes are in `world`
 /// \return false for bodies that part
 [[nodiscard]] bool left_to_chance(const Contact& contact, std::span<const MovingBody> bodies,

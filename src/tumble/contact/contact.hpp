@@ -45,7 +45,6 @@ struct Contact {
 using ContactList = std::vector<Contact>;
 
 /// State of a contact point, by its impulses.
-/// \param point  which of its points
 /// \return open without a normal impulse; slip if friction has reached its limit; else stick
 inline ContactState state_of(const Contact& contact, int point) {
   const ContactPoint& p = contact.points[static_cast<std::size_t>(point)];

@@ -12,7 +12,6 @@
 namespace tumble {
 
 /// A contact point with its impulse, as users read it.
-/// \param point  which of its points
 /// \param time   [s] of the pose that it belongs to
 /// \return with normal and friction impulse as they are accumulated in the point
 ContactRecord record_of(const Contact& contact, int point, double time);
@@ -30,8 +29,6 @@ void add_records(std::span<const Contact> contacts, double time,
 std::optional<Event> event_of(const Contact& contact, const Event& moment);
 
 /// Shows a collision to an observer.
-/// \param contact   with its impulses
-/// \param moment    see event_of()
 /// \param observer  may be nullptr
 /// \return whether there was a collision
 bool report_collision(const Contact& contact, const Event& moment, Observer* observer);

@@ -15,8 +15,7 @@ struct EnergyOnTheWay {
   double curvature = 0.0;  ///< [J] a
   double error = 0.0;      ///< [J] what counts as none
 
-  /// The largest share of the way on which there is not too much.
-  /// \return [-] from 0 to 1
+  /// The largest share of the way on which there is not too much [-]: from 0 to 1.
   [[nodiscard]] double allowed() const {
     if (start + slope + curvature <= error || curvature == 0.0) return 1.0;  // 0: nothing changes
     return largest_share(std::min(start, 0.0), slope, curvature);

@@ -14,7 +14,6 @@ namespace tumble {
 /// How two boxes overlap once they have met: moved together along a direction until they overlap there by
 /// `tolerance::flush_overlap` of their size. If they do so by less than `tolerance::flush_height` along another direction, that
 /// is the height of the edge at which they meet.
-/// \param normal_w  [-] from the first to the second
 /// \param gap       [m] between them along the normal
 /// \param size      [m] shortest edge of the two
 /// \return the least overlap, and its direction
@@ -26,8 +25,6 @@ namespace tumble {
 /// one so, and would be stopped by it.
 ///
 /// Both are closed along the direction in which they are apart.
-/// \param pair      indices of both
-/// \param contacts  of this moment
 /// \return whether the pair can be left out; false if one of them is the ground, which has no edges
 /// \par Cost
 /// One or two calls of separation(), and a look at all contacts if the edge has no height.

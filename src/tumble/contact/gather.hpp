@@ -10,9 +10,7 @@
 namespace tumble {
 
 /// Contact points of two bodies, either of which may be the ground.
-/// \param world       their constant parts
 /// \param states      poses of all bodies
-/// \param pair        the two, by index
 /// \param margin      [m] surfaces up to this far apart count as touching, at least 0
 /// \param remembered  the axis that the pair had before, or kNoAxis
 /// \param out         is overwritten; the normal points from the first to the second
@@ -21,8 +19,6 @@ bool touch_pair(const World& world, std::span<const BodyState> states, const Ind
                 double margin, AxisIndex remembered, Manifold& out);
 
 /// The same of two bodies whose boxes are known.
-/// \param world       their constant parts
-/// \param pair        the two, by index
 /// \param first       the box of the first; not used for the ground
 /// \param second      ditto of the second
 /// \param margin      [m] surfaces up to this far apart count as touching, at least 0
@@ -34,7 +30,6 @@ bool touch_pair(const World& world, const IndexPair& pair, const Box& first, con
 
 /// A contact without points: bodies, friction (the geometric mean of the two coefficients) and
 /// restitution (the larger).
-/// \param pair  the two, by index
 Contact contact_of(const World& world, const IndexPair& pair);
 
 /// Takes over normal and points.
@@ -43,8 +38,6 @@ Contact contact_of(const World& world, const IndexPair& pair);
 void set_points(const Manifold& manifold, Contact& contact);
 
 /// The speed at which a pair approaches at its fastest point.
-/// \param contact  its points
-/// \param bodies   how they move
 /// \return [m/s] the least normal velocity; below 0 they approach
 double least_normal_speed(const Contact& contact, std::span<const MovingBody> bodies);
 
@@ -60,7 +53,6 @@ struct GatherReport {
 /// Pairs of two immovable bodies are skipped. Friction is the geometric mean of the two bodies'
 /// coefficients, restitution the larger. Each point gets its present approach speed, which Newton's
 /// restitution uses for the whole event; impulses are 0 (see carry_over_impulses()).
-/// \param bodies      how they move: one for each body index
 /// \param candidates  pairs by index, first < second, each once, sorted, as a BroadPhase gives them
 /// \param margin      [m] surfaces up to this far apart count as touching, at least 0
 /// \param previous    contacts of an earlier step, sorted by id; may be empty. A pair that touched
@@ -79,7 +71,6 @@ GatherReport gather_contacts(const World& world, std::span<const MovingBody> bod
 /// How far contact has to reach among bodies that a search for collisions has stopped just before
 /// they touch: as far as two of them can come in twice its resolution, and `tolerance::contact_gap`
 /// of their size.
-/// \param bodies      how they move: one for each body index
 /// \param pairs       bodies that are about to touch
 /// \param resolution  [s] of the search
 /// \return [m]
@@ -97,11 +88,9 @@ int carry_over_impulses(std::span<const Contact> previous, std::span<Contact> co
 
 /// Multiplies the impulses of all points, as a start for a step of another length.
 /// \param factor    [-] length of this step over that of the one before
-/// \param contacts  in and out
 void scale_impulses(double factor, std::span<Contact> contacts);
 
 /// Stamps every point with the speed at which the bodies approach there now.
-/// \param bodies    how the bodies move, one for each body index
 /// \param contacts  approach speeds are overwritten
 void stamp_approach_speeds(std::span<const MovingBody> bodies, std::span<Contact> contacts);
 

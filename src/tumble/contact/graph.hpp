@@ -24,8 +24,6 @@ struct SupportEdge {
 /// contact whose normal is within tolerance::side_contact of the horizontal holds nothing up and
 /// gives no edge: books that stand side by side are not in each other's order, and a box that
 /// friction holds between two walls rests on nothing. Without gravity there is no up and no edge.
-/// \param contacts   bodies that touch
-/// \param gravity_w  [m/s²] world frame
 /// \param edges      out: at most one edge for each contact, in the order of the contacts; what
 ///                   was in it is discarded
 /// \throws std::invalid_argument if gravity is not finite
@@ -66,7 +64,6 @@ class ContactGraph {
  public:
   /// Finds components and levels.
   /// \param bodies  the constant parts: which are immovable
-  /// \param edges   which body holds up which
   /// \throws std::invalid_argument for an edge with an index out of range or from a body to itself
   void build(std::span<const BodyProperties> bodies, std::span<const SupportEdge> edges);
 
@@ -74,19 +71,16 @@ class ContactGraph {
   [[nodiscard]] int count() const { return static_cast<int>(order_.size()); }
 
   /// How high up a body is.
-  /// \return from 0
   [[nodiscard]] int level(int body) const { return level_[static_cast<std::size_t>(body)]; }
 
   /// The ring of mutual support that a body belongs to, named by its member of smallest index.
   /// \return an index; its own for a body in no ring
   [[nodiscard]] int component(int body) const { return component_[static_cast<std::size_t>(body)]; }
 
-  /// How many levels there are.
-  /// \return one more than the highest level; 0 if there are no bodies
+  /// How many levels there are: one more than the highest level; 0 if there are no bodies.
   [[nodiscard]] int level_count() const { return static_cast<int>(level_start_.size()) - 1; }
 
-  /// All bodies from the ground up.
-  /// \return indices, ascending by level, those of one level ascending by index
+  /// All bodies from the ground up: indices, ascending by level, those of one level ascending by index.
   [[nodiscard]] std::span<const int> order() const { return order_; }
 
   /// The bodies of one level.

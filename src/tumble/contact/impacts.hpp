@@ -35,7 +35,6 @@ enum class ImpactOrder : std::uint8_t {
 };
 
 /// The names of the orders as words of options.
-/// \return each once
 inline std::vector<Word<ImpactOrder>> impact_words() {
   return {{"simultaneous", ImpactOrder::simultaneous}, {"sequential", ImpactOrder::sequential}};
 }
@@ -75,7 +74,6 @@ struct ImpactResult {
 
 /// Adds impulses, passes, pivots and energy to the report of a step.
 /// \param impact  what was done; its collisions are not added, for a pair may bounce twice at once
-/// \param report  in and out
 void book(const ImpactResult& impact, StepReport& report);
 
 /// Resolves collisions of any number of bodies at one instant.
@@ -104,10 +102,7 @@ class ImpactSolver {
   SimultaneousImpacts block_;
 };
 
-/// The fastest approach among the points of some contacts.
-/// \param contacts  what touches
-/// \param bodies    how the bodies move, one for each body index
-/// \return [m/s] 0 or above
+/// The fastest approach among the points of some contacts [m/s]; 0 or above.
 double fastest_approach(std::span<const Contact> contacts, std::span<const MovingBody> bodies);
 
 }  // namespace tumble

@@ -19,7 +19,6 @@ void book_impulses(std::span<const Contact> contacts, std::span<const MovingBody
 
 /// Energy that a body gets by moving with the velocity of a step's end while its impulses are booked at the mean one:
 /// \f$h\,g\cdot(p - p')/2\f$.
-/// \param gravity_w  [m/s²]
 /// \param dt         [s] h
 /// \param before_w   [kg m/s] p, its momentum at the start
 /// \param after_w    [kg m/s] p', its momentum at the end

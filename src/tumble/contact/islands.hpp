@@ -12,8 +12,6 @@
 namespace tumble {
 
 /// Checks the bodies of a contact.
-/// \param contact  the two, by index
-/// \param count    how many bodies there are
 /// \throws std::invalid_argument for an index out of range
 void require_bodies(const IndexPair& contact, int count);
 
@@ -48,7 +46,6 @@ class Islands {
                         std::span<const char> walls = {});
 
   /// How many islands there are.
-  /// \return from 0
   [[nodiscard]] int count() const { return static_cast<int>(body_start_.size()) - 1; }
 
   /// The bodies of an island.
@@ -58,15 +55,12 @@ class Islands {
     return part(bodies_, body_start_, island);
   }
 
-  /// The contacts of an island.
-  /// \param island from 0, below count()
-  /// \return places in the list of contacts that build() got, ascending
+  /// The contacts of an island: places in the list of contacts that build() got, ascending.
   [[nodiscard]] std::span<const int> contacts(int island) const {
     return part(contacts_, contact_start_, island);
   }
 
-  /// The island of a body.
-  /// \return from 0; kNone for an immovable body
+  /// The island of a body: from 0; kNone for an immovable body.
   [[nodiscard]] int island_of(int body) const { return island_[static_cast<std::size_t>(body)]; }
 
   /// No island.

@@ -32,12 +32,10 @@ struct MeetingFound {
 /// `tolerance::flush_height` along any axis, the contact has no height. How far they slide across the normal until
 /// they meet depends on other contacts; so a pair is dropped only if it misses both without such a motion and with
 /// the one it had before the step, when they meet and at the end of the step.
-/// \param pair      indices of both
 /// \param found     their manifold, at least one point
 /// \param size      [m] shortest edge of the two
 /// \param touching  [m] gap up to which they touch already
 /// \param bodies    how they move in the step, if nothing stops them
-/// \param dt        [s] the step
 /// \return the outcome; overlap if one of them is the ground, which has no edges
 /// \par Cost
 /// Up to three calls of separation().

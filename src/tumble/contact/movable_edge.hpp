@@ -18,8 +18,7 @@ namespace tumble {
   return edge;
 }
 
-/// The shortest edge of all movable bodies.
-/// \return [m] 0 if none is movable
+/// The shortest edge of all movable bodies [m]; 0 if none is movable.
 [[nodiscard]] inline double movable_edge(const World& world) {
   double edge = 0.0;
   for (const BodyProperties& body : world.bodies())

@@ -27,7 +27,6 @@ struct MovingBody {
 
 /// The speed of a body's fastest point.
 /// \param velocity_w          [m/s] of its centre
-/// \param angular_velocity_w  [rad/s]
 /// \return [m/s] an upper bound: |v| + half the diagonal times |omega|
 [[nodiscard]] inline double fastest_point_speed(const BodyProperties& body, const Vec3& velocity_w,
                                                 const Vec3& angular_velocity_w) {
@@ -35,8 +34,6 @@ struct MovingBody {
 }
 
 /// Reads the velocity of a body, \f$v = P/m\f$ and \f$\omega = I_w^{-1} L\f$.
-/// \param state  where it is and its momenta
-/// \return it, not changed
 [[nodiscard]] MovingBody moving_body_of(const BodyProperties& body, const BodyState& state);
 
 /// Writes the velocity of a body back, \f$P = m v\f$ and \f$L = I_w\,\omega\f$, if it was changed.

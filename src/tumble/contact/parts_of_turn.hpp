@@ -33,8 +33,6 @@ inline constexpr double kTurnBeyondParts = 1e6;
 }
 
 /// The same for the body of a world that turns fastest.
-/// \param world  the bodies at the start of the step
-/// \param dt     [s] of the step
 [[nodiscard]] inline int parts_of_turn(const World& world, double dt) {
   double turn = 0.0;
   for (std::size_t k = 0; k < world.bodies().size(); ++k)
@@ -45,8 +43,6 @@ inline constexpr double kTurnBeyondParts = 1e6;
 
 /// How long a body flies in one go if it turns far in a step but keeps its momenta: so long that it turns by a radian. A rule
 /// of rotation keeps the energy of such turns.
-/// \param state  its state at the start
-/// \param dt     [s] of the step
 /// \return [s] infinite for what turns by less, evenly, or by more than kMostPartsOfTurn radians
 [[nodiscard]] inline double micro_step_of(const BodyProperties& body, const BodyState& state,
                                           RotationRule rule, double dt) {
@@ -58,7 +54,6 @@ inline constexpr double kTurnBeyondParts = 1e6;
 
 /// A step that is divided so.
 /// \param world      in and out; its clock goes on by one step
-/// \param dt         [s] above 0
 /// \param step_part  called with the world, the length of a part [s] and its number from 0; returns what was done. It leaves
 ///                   the clock alone unless it ends as StepStatus::unsolved: then it counts the step, with the time that has
 ///                   passed

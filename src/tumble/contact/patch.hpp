@@ -28,7 +28,6 @@ struct PatchPoint {
 /// is taken, which does not depend on the order of the points. Its form is
 /// \f$j_i = \max(0,\; \lambda_0 + \lambda\cdot s_i)\f$ with \f$s_i\f$ the place of the point in the
 /// contact plane; the loaded points are found by Newton's method for the three \f$\lambda\f$.
-/// \param normal_w  [-] length 1, world frame
 /// \param points    normal impulses in and out; left as they are if fewer than four are there, or
 ///                  if the centre of pressure lies on the rim, where the split is unique
 void even_out(const Vec3& normal_w, std::span<PatchPoint> points);
@@ -61,11 +60,9 @@ struct Patch {
 class PatchFriction {
  public:
   /// Forgets earlier steps.
-  /// \param points how many there will be
   void begin(std::size_t points);
 
   /// One step.
-  /// \param patches  the contact areas
   /// \param bodies   their velocities include the impulses in `points`; changed with them
   /// \param points   of all contact areas; friction impulses in and out
   /// \return [N s] sum of the magnitudes of the changes

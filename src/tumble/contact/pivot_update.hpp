@@ -31,9 +31,7 @@ struct PushedPair {
   PushedState state = PushedState::unknown;  ///< by its impulses
 };
 
-/// A contact's push from one body on another.
-/// \param contact  with its impulses
-/// \return nothing if no point is pushed
+/// A contact's push from one body on another; nothing if no point is pushed.
 std::optional<PushedPair> pushed_pair(const Contact& contact);
 
 /// At which end of a move the velocities of bodies that stick agree where they touch.
@@ -100,7 +98,6 @@ enum class RigidAt : std::uint8_t {
 class PivotUpdate {
  public:
   /// Finds the bodies that are carried.
-  /// \param bodies    the constant parts
   /// \param moving    where bodies are, their velocities in the move, and which are immovable in it (inverse
   ///                  masses of 0), by index
   /// \param pairs     the pushes; an earlier one of a body with two parents is taken
@@ -123,8 +120,7 @@ class PivotUpdate {
   /// \param moving  velocities are read
   void set_velocity(int body, const MovingBody& moving);
 
-  /// The carried bodies.
-  /// \return body indices, a body before those that it carries
+  /// The carried bodies by index, a body before those that it carries.
   [[nodiscard]] std::span<const int> bodies() const { return carried_; }
 
   /// Carries no body.

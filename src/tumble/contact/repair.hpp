@@ -41,8 +41,6 @@ struct RepairReport {
 };
 
 /// Adds pair tests, energy and the deepest overlap to the report of a step.
-/// \param repaired  what was done
-/// \param report    in and out
 void book(const RepairReport& repaired, StepReport& report);
 
 /// Bounds in which bodies that overlap are found, and those that may once they are moved apart.
@@ -77,7 +75,6 @@ void repair_bounds(const World& world, double margin, std::vector<Bounds>& out);
 class OverlapRepair {
  public:
   /// Makes the storage.
-  /// \param options how far and how long
   /// \throws std::invalid_argument for a slop that is not finite and above 0, or no sweep
   explicit OverlapRepair(const RepairOptions& options = {});
 

@@ -64,7 +64,6 @@ struct SleepReport {
 class SleepingRule {
  public:
   /// Starts with an empty memory.
-  /// \param options when a body counts as resting
   /// \throws std::invalid_argument for a number that is not finite or below 0
   explicit SleepingRule(const SleepingOptions& options = {});
 
@@ -78,8 +77,6 @@ class SleepingRule {
   ///
   /// Not of interest: two sleepers, two immovable bodies, and a sleeper with an immovable body that
   /// has been where it is since the last step.
-  /// \param first   index of a body
-  /// \param second  index of another one
   /// \return false if the pair needs no test; true before wake_disturbed() was called
   [[nodiscard]] bool needs_test(int first, int second) const;
 
@@ -97,9 +94,7 @@ class SleepingRule {
   int wake_touched(World& world, std::span<const Contact> contacts);
 
   /// The same for pairs of bodies that touch.
-  /// \param world  the bodies; changes sleep_states() only
   /// \param pairs  by index; all that were found
-  /// \return how many bodies it woke
   /// \throws std::invalid_argument if wake_disturbed() has not seen these bodies
   int wake_touched_pairs(World& world, std::span<const IndexPair> pairs);
 
@@ -107,7 +102,6 @@ class SleepingRule {
   /// \param world     the bodies; changes sleep_states(), and the momenta of those that fall asleep
   /// \param contacts  those that the step worked with
   /// \param islands   of these contacts
-  /// \param dt        [s] above 0
   /// \param slow      by index, not 0: counts as slow whatever its speed, unless it woke in this step;
   ///                  empty: none
   /// \throws std::invalid_argument for a dt that is not finite and above 0, or if wake_disturbed()
@@ -116,11 +110,7 @@ class SleepingRule {
                      double dt, std::span<const char> slow = {});
 
   /// The same for pairs of bodies that touch.
-  /// \param world    the bodies; changes sleep_states(), and the momenta of those that fall asleep
   /// \param pairs    by index; those that the step worked with
-  /// \param islands  of these pairs
-  /// \param dt       [s] above 0
-  /// \param slow     as in update()
   /// \throws std::invalid_argument for a dt that is not finite and above 0, or if wake_disturbed()
   ///         has not seen these bodies
   SleepReport update_with_pairs(World& world, std::span<const IndexPair> pairs,

@@ -43,7 +43,6 @@ struct StickyScale {
 /// The threshold has no unit, so that small and large boxes come to rest alike: the speed scale
 /// \f$\sqrt{g L}\f$ is that of a fall through half the box's own size. Where there is no gravity,
 /// nothing brings the bodies together again; the scale is then L / dt, one size in a step.
-/// \param restitution     [-] 0 to 1
 /// \param approach_speed  [m/s] n·(v_second - v_first) before the collision; below 0 they approach
 /// \param scale           what it happens among
 /// \param options         when it sticks

@@ -31,15 +31,12 @@ enum class RotationRule : std::uint8_t {
 };
 
 /// All rotation rules, in the order of the enumeration.
-/// \return each once
 std::span<const RotationRule> rotation_rules();
 
 /// The meaning of the option `rotation`, wherever a technique has it.
 inline constexpr std::string_view kRotationMeaning = "integration rule of rotations";
 
-/// The name that a user calls a rule by.
-/// \param rule one of the four
-/// \return "frozen", "midpoint", "rk4" or "splitting"
+/// The name that a user calls a rule by: "frozen", "midpoint", "rk4" or "splitting".
 std::string_view name_of(RotationRule rule);
 
 /// Moves a body for a time with both momenta constant.
@@ -60,7 +57,6 @@ std::string_view name_of(RotationRule rule);
 /// first commutes with the others; these are composed as a/2, c, a/2, which is symmetric in time,
 /// of order 2 and keeps the energy within a bound of order dt² for ever. If two moments are equal
 /// one of them is the middle one, at most one other part is left, and the step is exact.
-/// \param state  its state; in and out
 /// \param dt     [s] may be negative: back in time
 /// \throws std::invalid_argument if the angular momentum is not finite; dt must be finite
 /// \see McLachlan, "Explicit Lie-Poisson integration and the Euler equations", Phys. Rev. Lett.

@@ -27,8 +27,7 @@ struct BodyProperties {
   double friction = 0.5;                         ///< [-] Coulomb's coefficient, at least 0
   double restitution = 0.0;                      ///< [-] 0 (sticks) to 1 (bounces back)
 
-  /// Whether forces move it.
-  /// \return false for an immovable body
+  /// Whether forces move it; false for an immovable body.
   [[nodiscard]] bool movable() const { return inverse_mass > 0.0; }
 
   /// Compares all numbers.
@@ -43,15 +42,13 @@ struct BodyState {
   Vec3 angular_momentum_w = Vec3::Zero();  ///< [kg m²/s] about the centre of mass, world frame
 };
 
-/// Whether two states are the same.
-/// \return true if all numbers agree; never for a NaN
+/// Whether all numbers of two states agree; never for a NaN.
 [[nodiscard]] inline bool operator==(const BodyState& a, const BodyState& b) {
   return a.position_w == b.position_w && a.orientation_wb.coeffs() == b.orientation_wb.coeffs() &&
          a.linear_momentum_w == b.linear_momentum_w && a.angular_momentum_w == b.angular_momentum_w;
 }
 
-/// Whether a state is made of numbers.
-/// \return false if anything in it is infinite or NaN
+/// Whether a state is made of numbers; false if anything in it is infinite or NaN.
 [[nodiscard]] inline bool is_finite(const BodyState& state) {
   return state.position_w.allFinite() && state.orientation_wb.coeffs().allFinite() &&
          state.linear_momentum_w.allFinite() && state.angular_momentum_w.allFinite();
@@ -63,7 +60,6 @@ struct BodyState {
 /// \param size         [m] full edge lengths, each from tolerance::smallest_edge to largest_value
 /// \param mass         [kg] from tolerance::smallest_mass to largest_mass, and so the moments in kg m²
 /// \param friction     [-] 0 to tolerance::largest_friction
-/// \param restitution  [-] 0 to 1
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties box_properties(const Vec3& size, double mass, double friction = 0.5,
                               double restitution = 0.0);
@@ -71,22 +67,17 @@ BodyProperties box_properties(const Vec3& size, double mass, double friction = 0
 /// An immovable box.
 /// \param size         [m] full edge lengths, each from tolerance::smallest_edge to largest_value
 /// \param friction     [-] 0 to tolerance::largest_friction
-/// \param restitution  [-] 0 to 1
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties fixed_box_properties(const Vec3& size, double friction = 0.5,
                                     double restitution = 0.0);
 
 /// The immovable half-space y <= 0.
 /// \param friction     [-] 0 to tolerance::largest_friction
-/// \param restitution  [-] 0 to 1
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties ground_properties(double friction = 0.5, double restitution = 0.0);
 
 /// A state from the velocities that people think in.
-/// \param position_w          [m] world frame
-/// \param orientation_wb      [-] body to world, length 1
 /// \param velocity_w          [m/s] of the centre of mass, world frame
-/// \param angular_velocity_w  [rad/s] world frame
 /// \return the state: P = m v, L = R I R' ω; momenta of an immovable body are 0
 /// \throws std::invalid_argument for a value that is not finite, a quaternion that is not of
 ///         length 1, or an immovable body with a velocity
@@ -95,8 +86,7 @@ BodyState make_state(const BodyProperties& body, const Vec3& position_w,
                      const Vec3& velocity_w = Vec3::Zero(),
                      const Vec3& angular_velocity_w = Vec3::Zero());
 
-/// Velocity of the centre of mass, \f$v = P/m\f$.
-/// \return [m/s] world frame; 0 for an immovable body
+/// Velocity of the centre of mass, \f$v = P/m\f$ [m/s], world frame; 0 for an immovable body.
 Vec3 velocity(const BodyProperties& body, const BodyState& state);
 
 /// Angular velocity, \f$\omega = R\,I_b^{-1} R^{\mathsf T} L\f$.
@@ -107,25 +97,20 @@ Vec3 angular_velocity(const BodyProperties& body, const BodyState& state);
 
 /// Angular momentum of an angular velocity, \f$L = R\,I_b R^{\mathsf T} \omega\f$.
 /// \param axes_w              [-] its axes in the world as columns
-/// \param angular_velocity_w  [rad/s] world frame
 /// \return [kg m²/s] world frame
 Vec3 angular_momentum(const BodyProperties& body, const Mat3& axes_w,
                       const Vec3& angular_velocity_w);
 
 /// The same of a body whose axes are not known yet.
-/// \param orientation_wb      [-] body to world, length 1
-/// \param angular_velocity_w  [rad/s] world frame
 /// \return [kg m²/s] world frame
 Vec3 angular_momentum(const BodyProperties& body, const Quat& orientation_wb,
                       const Vec3& angular_velocity_w);
 
 /// Inverse inertia in the world frame, \f$R\,I_b^{-1} R^{\mathsf T}\f$.
-/// \param orientation_wb  [-] body to world, length 1
 /// \return [1/(kg m²)] symmetric; 0 for an immovable body
 Mat3 inverse_inertia_w(const BodyProperties& body, const Quat& orientation_wb);
 
-/// The shortest edge of two bodies, of which the ground has none.
-/// \return [m] infinite for two grounds
+/// The shortest edge of two bodies, of which the ground has none [m]; infinite for two grounds.
 double shortest_edge(const BodyProperties& a, const BodyProperties& b);
 
 /// The body as geometry sees it.
@@ -139,8 +124,7 @@ inline Box box_of(const BodyProperties& body, const BodyState& state) {
 /// \return of the ground: all of the half-space, reaching to infinity
 Bounds bounds_of(const BodyProperties& body, const BodyState& state, double margin = 0.0);
 
-/// Kinetic energy, \f$\tfrac12 P\cdot v + \tfrac12 L\cdot\omega\f$.
-/// \return [J] 0 for an immovable body
+/// Kinetic energy, \f$\tfrac12 P\cdot v + \tfrac12 L\cdot\omega\f$ [J]; 0 for an immovable body.
 double kinetic_energy(const BodyProperties& body, const BodyState& state);
 
 }  // namespace tumble

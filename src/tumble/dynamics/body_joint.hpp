@@ -19,12 +19,9 @@ enum class JointKind : std::uint8_t {
 };
 
 /// All kinds, in the order of the enumeration.
-/// \return each once
 std::span<const JointKind> joint_kinds();
 
-/// The name of a kind in scene files.
-/// \param kind one of them
-/// \return its enumerator as text
+/// The name of a kind in scene files: its enumerator as text.
 std::string_view name_of(JointKind kind);
 
 /// A joint between two bodies. It is made by World::join() where the bodies are, and never changes.

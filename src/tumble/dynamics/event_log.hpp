@@ -29,8 +29,7 @@ enum class ContactState : std::uint8_t {
   open    ///< it does not push
 };
 
-/// The name of a contact's state in files.
-/// \return for example "stick"
+/// The name of a contact's state in files, for example "stick".
 constexpr std::string_view name_of(ContactState state) {
   if (state == ContactState::open) return "open";
   return state == ContactState::slip ? "slip" : "stick";

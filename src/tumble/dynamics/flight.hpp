@@ -71,8 +71,7 @@ Separation gap_between(const BodyProperties& first, const BodyState& first_state
 /// \return [m/s] world frame
 Vec3 velocity_at(const Flight& flight, int body, double time);
 
-/// What a body's centre is accelerated by.
-/// \return [m/s²] world frame; 0 for an immovable body
+/// What a body's centre is accelerated by [m/s²], world frame; 0 for an immovable body.
 Vec3 acceleration_of(const Flight& flight, int body);
 
 /// How far two bodies in flight are apart at a time.
@@ -83,7 +82,6 @@ Separation gap_at(const Flight& flight, const IndexPair& pair, double time);
 
 /// Bounds of all of a body's way in flight, for finding pairs that may meet.
 /// \param start      its state now
-/// \param gravity_w  [m/s²] world frame
 /// \param time       [s] of the flight
 /// \param reach      [m] of the body from its centre, whichever way it turns; at least half its
 ///                   diagonal

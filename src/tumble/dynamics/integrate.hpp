@@ -13,8 +13,6 @@ namespace tumble {
 ///
 /// \f$x \leftarrow x + \Delta t\,v,\; v \leftarrow v + \Delta t\,g\f$. Order 1: after a time t of
 /// free fall the position is off by \f$-g\,t\,\Delta t/2\f$ (too high), at any dt.
-/// \param state      its state; in and out
-/// \param gravity_w  [m/s²] world frame
 /// \param dt         [s] may be negative
 /// \throws std::invalid_argument if the angular momentum is not finite
 void step_forward_euler(const BodyProperties& body, BodyState& state, const Vec3& gravity_w,
@@ -25,8 +23,6 @@ void step_forward_euler(const BodyProperties& body, BodyState& state, const Vec3
 /// \f$v \leftarrow v + \Delta t\,g,\; x \leftarrow x + \Delta t\,v\f$. Order 1: after a time t of
 /// free fall the position is off by \f$+g\,t\,\Delta t/2\f$ (too low), at any dt. It is the inverse
 /// of a forward Euler step of -dt.
-/// \param state      its state; in and out
-/// \param gravity_w  [m/s²] world frame
 /// \param dt         [s] may be negative
 /// \throws std::invalid_argument if the angular momentum is not finite
 void step_semi_implicit(const BodyProperties& body, BodyState& state, const Vec3& gravity_w,
@@ -42,8 +38,6 @@ void step_semi_implicit(const BodyProperties& body, BodyState& state, const Vec3
 /// needs it. The rotation is a flow only where its rule is exact (see RotationRule); elsewhere
 /// flying in two parts differs from flying in one by the error of the rule. So a search evaluates
 /// all poses from one state, the one after the last event, and never continues from a pose tried.
-/// \param state      its state; in and out
-/// \param gravity_w  [m/s²] world frame
 /// \param dt         [s] may be negative
 /// \throws std::invalid_argument if the angular momentum is not finite
 void fly(const BodyProperties& body, BodyState& state, const Vec3& gravity_w, double dt,
@@ -53,8 +47,6 @@ void fly(const BodyProperties& body, BodyState& state, const Vec3& gravity_w, do
 ///
 /// Still a continuous function of dt, and closer to a flow: what parts differ by shrinks like the
 /// error of the rule at `micro_step`.
-/// \param state       its state; in and out
-/// \param gravity_w   [m/s²] world frame
 /// \param dt          [s] may be negative
 /// \param micro_step  [s] above 0; infinity: one step, as fly() does it
 /// \throws std::invalid_argument if micro_step is not above 0 or dt is a million times longer, or

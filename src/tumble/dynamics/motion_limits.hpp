@@ -11,9 +11,6 @@ namespace tumble {
 /// Coordinates are at most tolerance::farthest times the shortest edge, and no point of a body is faster than
 /// tolerance::largest_speed.
 /// \param body                a box
-/// \param position_w          [m] world frame
-/// \param velocity_w          [m/s] world frame
-/// \param angular_velocity_w  [rad/s] world frame
 /// \throws std::invalid_argument naming the value, the limit and the remedy
 /// \verified{Values out of the range of a scene are refused with body, value and remedy}
 void require_motion_limits(const BodyProperties& body, const Vec3& position_w,
@@ -31,7 +28,6 @@ void require_motion_limits(const BodyProperties& body, const BodyState& state);
 void require_friction(double friction);
 
 /// Refuses a gravity that would make a body faster than tolerance::largest_speed within a second.
-/// \param gravity_w  [m/s²]
 /// \throws std::invalid_argument naming the value, the limit and the remedy
 void require_gravity(const Vec3& gravity_w);
 

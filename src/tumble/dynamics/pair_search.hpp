@@ -49,7 +49,6 @@ struct PairCollision {
 };
 
 /// Checks the options of a search.
-/// \param options  how to search
 /// \param start    [s] start of the interval
 /// \param end      [s] its end
 /// \throws std::invalid_argument for an interval that is not finite or ends before it starts, a
@@ -73,7 +72,6 @@ PairCollision find_collision(const Flight& flight, const IndexPair& pair, double
 
 /// Bisection between a time at which two bodies are apart and one at which they overlap.
 /// \param bracket  [s] apart at low, overlapping at high
-/// \param options  resolution and cap
 /// \return found, or cap_reached
 PairCollision bisect_collision(const Flight& flight, const IndexPair& pair, const Bracket& bracket,
                                const SearchOptions& options);
@@ -83,7 +81,6 @@ PairCollision bisect_collision(const Flight& flight, const IndexPair& pair, cons
 /// A separating direction found at one time stays one for as long as the bodies cannot close their gap
 /// along it, so the time may be advanced by that much and the gap measured again.
 /// \param start    [s] from when
-/// \param end      [s] until when
 /// \param options  resolution and cap
 /// \return found, none, or cap_reached
 /// \see Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems*, PhD thesis, 1996.

@@ -24,11 +24,9 @@ inline constexpr std::string_view kPoseMeaning =
     "6.2)";
 
 /// Both, in the order of the enumeration.
-/// \return each once
 std::span<const PoseUpdate> pose_updates();
 
-/// The name that a user calls it by.
-/// \return "separate" or "exponential"
+/// The name that a user calls it by: "separate" or "exponential".
 std::string_view name_of(PoseUpdate update);
 
 }  // namespace tumble

@@ -32,21 +32,16 @@ class Snapshot {
   ~Snapshot() = default;
 
   /// Goes on by one step.
-  /// \param dt [s] above 0
   /// \throws std::invalid_argument as the technique does
   StepReport step(double dt) { return technique_->step(world_, dt); }
 
-  /// The bodies.
-  /// \return in and out: they may be pushed, added and removed between steps
+  /// The bodies; they may be pushed, added and removed between steps.
   [[nodiscard]] World& world() { return world_; }
-  /// The bodies.
-  /// \return as they are now
+  /// The bodies as they are now.
   [[nodiscard]] const World& world() const { return world_; }
-  /// What steps them.
-  /// \return with its memory
+  /// What steps them, with its memory.
   [[nodiscard]] Technique& technique() { return *technique_; }
-  /// What steps them.
-  /// \return with its memory
+  /// What steps them, with its memory.
   [[nodiscard]] const Technique& technique() const { return *technique_; }
 
  private:

@@ -25,7 +25,6 @@ class StepFault : public std::runtime_error {
 [[noreturn]] void refuse_step(std::string_view message);
 
 /// Refuses a step that is too long for the resolution of event times.
-/// \param dt          [s] length of the step
 /// \param resolution  [s] of event times; has to be above the rounding of times up to dt
 /// \throws std::invalid_argument for a dt that is not finite and above 0; StepRefused naming the resolution
 void require_resolved(double dt, double resolution);

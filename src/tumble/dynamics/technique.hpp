@@ -73,24 +73,19 @@ class Technique {
  public:
   virtual ~Technique() = default;
 
-  /// The name in commands and files.
-  /// \return for example "basic"
+  /// The name in commands and files, for example "basic".
   [[nodiscard]] virtual std::string_view name() const = 0;
 
   /// Advances the world, and its time by World::finish_step(), once for the step or once for each part of it.
-  /// \param world  all bodies; in and out
   /// \param dt     [s] above 0; may differ from step to step
-  /// \return status, counts and booked energy
   /// \throws std::invalid_argument for a dt that is not finite and above 0; StepRefused for a world that the
   ///         technique cannot simulate, or not with this dt, with the reason
   virtual StepReport step(World& world, double dt) = 0;
 
-  /// A copy with all memory.
-  /// \return from here on it makes the same steps, bit by bit
+  /// A copy with all memory: from here on it makes the same steps, bit by bit.
   [[nodiscard]] virtual std::unique_ptr<Technique> clone() const = 0;
 
-  /// The contact points of the last step.
-  /// \return valid until the next step
+  /// The contact points of the last step; valid until the next step.
   [[nodiscard]] virtual std::span<const ContactRecord> contacts() const { return {}; }
 
   /// Matrices of a last step that ended as StepStatus::unsolved.
@@ -123,12 +118,10 @@ class Technique {
   /// For clone().
   Technique& operator=(const Technique& other) = default;
 
-  /// The observer.
-  /// \return nullptr: none
+  /// The observer; nullptr: none.
   [[nodiscard]] Observer* observer() const { return observer_; }
 
-  /// See count_as_slow().
-  /// \return by index, or empty
+  /// See count_as_slow(), by index, or empty.
   [[nodiscard]] std::span<const char> slow_bodies() const { return slow_bodies_; }
 
  private:
@@ -138,7 +131,6 @@ class Technique {
 
 /// Refuses a world with joints for a technique without joints. Simulation calls it before each step; a program that
 /// calls Technique::step() itself should, too.
-/// \param technique  about to step
 /// \throws std::invalid_argument naming the technique, a joint and a technique with joints
 void require_joints_held(const Technique& technique, const World& world);
 
@@ -149,7 +141,6 @@ class Observer {
   virtual ~Observer() = default;
 
   /// The simulation begins, or begins again because its start was changed.
-  /// \param world the bodies at time 0
   virtual void on_begin(const World& world) { (void)world; }
 
   /// Bodies were added or removed between two steps.
@@ -161,12 +152,10 @@ class Observer {
   }
 
   /// A collision has been resolved.
-  /// \param event its time, place and impulse
   virtual void on_event(const Event& event) { (void)event; }
 
   /// A step is complete.
   /// \param world   the bodies after it
-  /// \param report  status, counts and booked energy
   virtual void on_step(const World& world, const StepReport& report) {
     (void)world;
     (void)report;

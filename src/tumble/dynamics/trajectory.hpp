@@ -19,8 +19,7 @@ struct Frame {
   std::span<const BodyState> states;  ///< their states, in the same order
 };
 
-/// The bodies of a world as a frame.
-/// \return valid until the world changes
+/// The bodies of a world as a frame; valid until the world changes.
 [[nodiscard]] inline Frame frame_of(const World& world) {
   return Frame{world.time(), world.steps(), world.ids(), world.states()};
 }
@@ -43,23 +42,19 @@ class Trajectory {
   void record(const Frame& frame);
 
   /// How many frames there are.
-  /// \return from 0
   [[nodiscard]] int count() const { return static_cast<int>(frames_.size()); }
 
   /// One frame.
   /// \param index 0 to count() - 1
-  /// \return the bodies at that time
   /// \throws std::invalid_argument for another index
   [[nodiscard]] Frame frame(int index) const;
 
   /// One body in one frame.
-  /// \param index  of the frame
   /// \return its state, or nothing if it was not there. O(log n)
   /// \throws std::invalid_argument for an index that is no frame
   [[nodiscard]] std::optional<BodyState> state(int index, BodyId id) const;
 
-  /// One body over time.
-  /// \return its states in all frames that have it, in order of time; empty if there is none
+  /// One body over time: its states in all frames that have it, in order of time; empty if there is none.
   [[nodiscard]] std::vector<Sample> samples(BodyId id) const;
 
  private:
@@ -86,8 +81,7 @@ class TrajectoryRecorder : public Observer {
 
   void on_step(const World& world, const StepReport& report) override;
 
-  /// What has been recorded.
-  /// \return the start and every n-th step since
+  /// What has been recorded: the start and every n-th step since.
   [[nodiscard]] const Trajectory& trajectory() const { return trajectory_; }
 
  private:
@@ -101,8 +95,7 @@ class EventRecorder : public Observer {
  public:
   void on_event(const Event& event) override { events_.push_back(event); }
 
-  /// What has been recorded.
-  /// \return in the order in which collisions were resolved
+  /// What has been recorded, in the order in which collisions were resolved.
   [[nodiscard]] const EventLog& events() const { return events_; }
 
  private:

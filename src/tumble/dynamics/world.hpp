@@ -38,13 +38,10 @@ class World {
 
   /// Adds the ground, the immovable half-space y <= 0.
   /// \param friction     [-] at least 0
-  /// \param restitution  [-] 0 to 1
   /// \throws std::invalid_argument naming a value out of range, or if there is a ground already
   BodyId add_ground(double friction = 0.5, double restitution = 0.0);
 
   /// Adds a body.
-  /// \param body   what never changes about it
-  /// \param state  where it is and how it moves
   /// \param name   its name in files; empty: "box" and its number, counted from 1 as boxes were
   ///               added (the next free one if a name is taken). Names are unique
   /// \return its id, larger than every id given before
@@ -56,10 +53,7 @@ class World {
 
   /// Adds a body without a name of its own, see make_state() for where it is and how it moves.
   /// \param position_w          [m] of its centre of mass
-  /// \param orientation_wb      [-] body to world, length 1
   /// \param velocity_w          [m/s] of its centre of mass
-  /// \param angular_velocity_w  [rad/s]
-  /// \return as above
   BodyId add(const BodyProperties& body, const Vec3& position_w,
              const Quat& orientation_wb = Quat::Identity(), const Vec3& velocity_w = Vec3::Zero(),
              const Vec3& angular_velocity_w = Vec3::Zero()) {
@@ -71,7 +65,6 @@ class World {
   void remove(BodyId id);
 
   /// Joins two bodies as they are now. A technique holds the joint, or refuses the world: see Technique::holds_joints().
-  /// \param kind      what stays free
   /// \param second    the other; one of the two has to be movable
   /// \param anchor_w  [m] the joint's point
   /// \param axis_w    [-] of a hinge, of any length above 0; otherwise 0
@@ -81,40 +74,32 @@ class World {
   void join(JointKind kind, BodyId first, BodyId second, const Vec3& anchor_w,
             const Vec3& axis_w = Vec3::Zero(), std::string name = "");
 
-  /// The joints.
-  /// \return in the order in which they were made, without those whose bodies are gone
+  /// The joints, in the order in which they were made, without those whose bodies are gone.
   [[nodiscard]] std::span<const BodyJoint> joints() const { return joints_; }
 
   /// Whether a joint is between two bodies. Such bodies do not collide. O(log joints)
-  /// \return true for one joint or more
   [[nodiscard]] bool joined(BodyId a, BodyId b) const;
 
   /// Changes a body's momenta by an impulse at a point and wakes it.
-  /// \param impulse_w  [N s] world frame
   /// \param point_w    [m] where it acts, world frame
   /// \throws std::invalid_argument if there is no such body, it is immovable, a value is not
   ///         finite, or the motion is out of require_motion_limits()
   void push(BodyId id, const Vec3& impulse_w, const Vec3& point_w);
 
   /// Gives a body new velocities and wakes it.
-  /// \param velocity_w          [m/s] world frame
-  /// \param angular_velocity_w  [rad/s] world frame
   /// \throws std::invalid_argument if there is no such body, it is immovable, a value is not
   ///         finite, or the motion is out of require_motion_limits()
   void set_velocity(BodyId id, const Vec3& velocity_w, const Vec3& angular_velocity_w);
 
   /// Puts a body somewhere else and wakes it.
-  /// \param state  its new state
   /// \throws std::invalid_argument if there is no such body, a value is not finite or out of
   ///         require_motion_limits(), an immovable body is given momentum, or the body is the ground
   void set_state(BodyId id, const BodyState& state);
 
-  /// How many bodies there are, the ground included.
-  /// \return the length of every array below
+  /// How many bodies there are, the ground included: the length of every array below.
   [[nodiscard]] int count() const { return static_cast<int>(states_.size()); }
 
-  /// The place of a body in the arrays.
-  /// \return its index, or nothing if there is no such body. O(log n)
+  /// The place of a body in the arrays: its index, or nothing if there is no such body. O(log n).
   [[nodiscard]] std::optional<int> find(BodyId id) const;
 
   /// The place of a body in the arrays.
@@ -122,8 +107,7 @@ class World {
   /// \throws std::invalid_argument if there is no such body
   [[nodiscard]] int index_of(BodyId id) const;
 
-  /// The id of the body called like this.
-  /// \return its id, or nothing
+  /// The id of the body called like this, or nothing.
   [[nodiscard]] std::optional<BodyId> find(std::string_view name) const;
 
   /// The place in the arrays of the body called like this.
@@ -143,37 +127,27 @@ class World {
   [[nodiscard]] BodyView body(BodyId id) const;
 
   /// The constant parts, by index.
-  /// \return one for each body
   [[nodiscard]] std::span<const BodyProperties> bodies() const { return bodies_; }
   /// The ids, by index, ascending.
-  /// \return one for each body
   [[nodiscard]] std::span<const BodyId> ids() const { return ids_; }
   /// The states, by index.
-  /// \return one for each body
   [[nodiscard]] std::span<const BodyState> states() const { return states_; }
   /// The states, by index, for techniques.
-  /// \return one for each body
   [[nodiscard]] std::span<BodyState> states() { return states_; }
   /// Which bodies sleep, by index.
-  /// \return one for each body
   [[nodiscard]] std::span<const SleepState> sleep_states() const { return sleep_states_; }
   /// Which bodies sleep, by index, for techniques.
-  /// \return one for each body
   [[nodiscard]] std::span<SleepState> sleep_states() { return sleep_states_; }
   /// The name of a body.
-  /// \param index its place in the arrays
   [[nodiscard]] const std::string& name(int index) const {
     return names_[static_cast<std::size_t>(index)];
   }
 
-  /// The time that has been simulated.
-  /// \return [s]
+  /// The time that has been simulated [s].
   [[nodiscard]] double time() const { return time_; }
   /// How many steps have been done.
-  /// \return from 0
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   /// Advances the time and counts a step; for techniques, at the end of each step or part of a step.
-  /// \param dt [s] its length
   void finish_step(double dt) {
     time_ += dt;
     ++steps_;

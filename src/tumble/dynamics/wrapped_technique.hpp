@@ -32,7 +32,6 @@ class WrappedTechnique : public Technique {
 
  protected:
   /// Wraps a technique.
-  /// \param inner  not null
   /// \throws std::invalid_argument if it is null
   explicit WrappedTechnique(std::unique_ptr<Technique> inner);
   /// For clone(): the technique inside is cloned.
@@ -40,8 +39,7 @@ class WrappedTechnique : public Technique {
       : Technique(other), inner_(other.inner_->clone()) {}
   WrappedTechnique& operator=(const WrappedTechnique&) = delete;
 
-  /// The wrapped technique, once it has been given the wrapper's observer and slow bodies.
-  /// \return ready to step
+  /// The wrapped technique, once it has been given the wrapper's observer and slow bodies: ready to step.
   [[nodiscard]] Technique& prepared_inner() {
     inner_->observe(observer());
     inner_->count_as_slow(slow_bodies());

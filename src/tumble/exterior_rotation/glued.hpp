@@ -31,12 +31,9 @@ enum class GluedScheme : std::uint8_t {
 };
 
 /// All schemes, in the order of the enumeration.
-/// \return each once
 std::span<const GluedScheme> glued_schemes();
 
-/// The name of a scheme in options.
-/// \param scheme one of them
-/// \return its enumerator as text
+/// The name of a scheme in options: its enumerator as text.
 std::string_view name_of(GluedScheme scheme);
 
 /// Whether joints can open.
@@ -131,13 +128,11 @@ class Glued : public Technique {
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
   [[nodiscard]] bool holds_joints() const override { return true; }
 
-  /// The present joints.
-  /// \return empty before the first step, unless find() was called
+  /// The present joints; empty before the first step, unless find() was called.
   [[nodiscard]] std::span<const Joint> joints() const { return joints_; }
   /// Finds the joints now instead of in the first step.
   void find(const World& world);
   /// Number of systems of joint forces solved in all steps: the cost, independent of the machine.
-  /// \return from 0
   [[nodiscard]] int solves() const { return forces_.solves(); }
 
  private:

@@ -23,8 +23,7 @@ enum class JointHold : std::uint8_t {
 /// The corners of an area, in one body's frame.
 using Corners = std::array<Vec3, Manifold::kMostPoints>;
 
-/// Initial value of corners.
-/// \return [m] all 0
+/// Initial value of corners [m]: all 0.
 inline Corners no_corners() {
   Corners corners;
   corners.fill(Vec3::Zero());
@@ -47,8 +46,7 @@ struct Joint {
   int side = 0;                             ///< of an edge: from this corner to the next one
   bool of_scene = false;                    ///< made by World::join(): neither opens nor closes
 
-  /// Whether the area has an extent; only then it can open and close.
-  /// \return false for a line or a point
+  /// Whether the area has an extent; only then it can open and close; false for a line or a point.
   [[nodiscard]] bool is_area() const { return count > 2; }
 };
 
@@ -81,14 +79,12 @@ std::vector<Joint> find_joints(const World& world, double margin);
 /// A joint of the scene: a ball holds a corner, a hinge an edge along its axis, a fixed joint an area.
 ///
 /// Corners lie half the shortest edge of the two bodies from the anchor, so that turning shows in them as distance.
-/// \param joint  one of World::joints()
 /// \return with the degrees of freedom that its kind holds
 Joint joint_of(const World& world, const BodyJoint& joint);
 
 /// The joints of a world after bodies were added or removed.
 ///
 /// Existing joints stay, open or not, but for those of the scene; a new body sticks to the bodies that it touches.
-/// \param joints  joints before the change
 /// \param before  the ids of the bodies then, by index
 /// \param world   the present bodies
 /// \param margin  [-] of find_joints(), for new bodies
@@ -98,13 +94,11 @@ std::vector<Joint> renewed_joints(std::span<const Joint> joints, std::span<const
                                   const World& world, double margin);
 
 /// The point about which a joint is held: the mean of its corners, of the two of an edge, or the corner.
-/// \param states  of all bodies, by index
 /// \return its positions on both bodies
 JointPoint held_point(const Joint& joint, std::span<const BodyState> states);
 
 /// A corner of a joint.
 /// \param corner  from 0, below the count
-/// \param states  of all bodies, by index
 /// \return its positions on both bodies
 JointPoint corner_of(const Joint& joint, int corner, std::span<const BodyState> states);
 
@@ -117,24 +111,19 @@ struct JointGap {
 
 /// Measures a joint at its held corners: all of an area, two of an edge, one.
 /// \param joint   see there; all results are 0 if nothing is held
-/// \param states  of all bodies, by index
 /// \return maxima over its corners
 JointGap gap_of(const Joint& joint, std::span<const BodyState> states);
 
-/// Largest drift of several joints.
-/// \param states  of all bodies, by index
-/// \return maxima over all of them
+/// Largest drift of several joints: maxima over all of them.
 JointGap gap_of(std::span<const Joint> joints, std::span<const BodyState> states);
 
 /// How far two bodies have turned against each other in a joint, as its corners show.
 /// \param joint   with two corners or more
-/// \param states  of all bodies, by index
 /// \return [rad] rotation vector of the second body, world frame, to first order; of an edge only its part across the edge
 Vec3 turned_in(const Joint& joint, std::span<const BodyState> states);
 
 /// Opening of an area that is held by an edge.
 /// \param joint   with an area
-/// \param states  of all bodies, by index
 /// \return [m] distance of the area's middle on the second body above the first body's plane; below 0 they
 ///         overlap
 double opened(const Joint& joint, std::span<const BodyState> states);

@@ -53,7 +53,6 @@ class JointContacts {
 
   /// A step.
   /// \param table   of RungeKutta
-  /// \param dt      [s] above 0
   /// \param joints  held
   /// \param forces  their solver
   /// \param world   states in and out; its time does not change
@@ -61,11 +60,9 @@ class JointContacts {
   /// \return as RungeKutta::step()
   double step(const ButcherTable& table, double dt, std::span<const Joint> joints,
               JointForces& forces, World& world, StepReport& report);
-  /// The contacts of the last step, with the impulses of its forces.
-  /// \return sorted by id
+  /// The contacts of the last step, with the impulses of its forces, sorted by id.
   [[nodiscard]] std::span<const Contact> contacts() const { return contacts_; }
-  /// The contacts of the last step, with the impulses of its impacts.
-  /// \return empty if nothing met
+  /// The contacts of the last step, with the impulses of its impacts; empty if nothing met.
   [[nodiscard]] std::span<const Contact> impacts() const { return impacts_; }
 
  private:

@@ -48,7 +48,6 @@ class JointForces {
   /// \f$v \leftarrow v - W J^{\mathsf T}(J W J^{\mathsf T})^{-1} J v\f$: the nearest velocities that the joints
   /// permit, in the norm of kinetic energy.
   /// \param bodies  velocities in and out, one for each body index
-  /// \param states  poses of the bodies
   void project(std::span<MovingBody> bodies, std::span<const Joint> joints,
                std::span<const BodyState> states);
 
@@ -59,8 +58,6 @@ class JointForces {
   void close(std::span<const Joint> joints, World& world);
 
   /// Makes ready for respond().
-  /// \param bodies  one for each body index
-  /// \param states  poses of the bodies
   void take(std::span<const MovingBody> bodies, std::span<const Joint> joints,
             std::span<const BodyState> states);
   /// What impulses change of the velocities of bodies in joints: \f$(W - W J^{\mathsf T}(J W J^{\mathsf T})^{-1} J W)\,p\f$.
@@ -73,7 +70,6 @@ class JointForces {
     return pushes_[static_cast<std::size_t>(joint)];
   }
   /// Number of systems solved since construction.
-  /// \return from 0
   [[nodiscard]] int solves() const { return solves_; }
 
  private:

@@ -50,11 +50,7 @@ enum class SimpleScheme : std::uint8_t {
 class SimpleSteps {
  public:
   /// One step of all movable bodies.
-  /// \param scheme  order of the updates
-  /// \param pose    pose update
-  /// \param dt      [s] above 0
   /// \param joints  held during the step
-  /// \param forces  solver for the forces or impulses
   /// \param world   states in and out; its time does not change
   void step(SimpleScheme scheme, PoseUpdate pose, double dt, std::span<const Joint> joints,
             JointForces& forces, World& world);

@@ -68,11 +68,9 @@ class AdaptiveStep : public WrappedTechnique {
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
 
-  /// The sub-steps of the last step.
-  /// \return [s] their lengths in order; valid until the next step
+  /// The sub-steps of the last step [s]: their lengths in order; valid until the next step.
   [[nodiscard]] std::span<const double> substeps() const { return substeps_; }
-  /// The bodies in contact in any sub-step of the last step.
-  /// \return ids, ascending; valid until the next step
+  /// The bodies in contact in any sub-step of the last step: ids, ascending; valid until the next step.
   [[nodiscard]] std::span<const BodyId> touched() const { return touched_; }
 
  private:

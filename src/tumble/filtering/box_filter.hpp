@@ -46,8 +46,7 @@ class BoxFilter : public PoseFilter {
   /// \throws std::invalid_argument for another number of frames
   explicit BoxFilter(int frames, BoxWindow window = BoxWindow::centred);
 
-  /// Number of frames averaged.
-  /// \return odd
+  /// Number of frames averaged, odd.
   [[nodiscard]] int frames() const { return 2 * half_ + 1; }
 
   [[nodiscard]] int latency() const override { return window_ == BoxWindow::centred ? half_ : 0; }

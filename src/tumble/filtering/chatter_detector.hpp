@@ -73,12 +73,10 @@ class ChatterDetector {
   ///         last one
   void add(const World& world, std::span<const char> in_contact);
 
-  /// Classification of a body.
-  /// \return Motion::moves also for a body that is absent or immovable
+  /// Classification of a body; Motion::moves also for a body that is absent or immovable.
   [[nodiscard]] Motion motion(BodyId id) const;
 
-  /// Features of the last W + 1 frames of a body.
-  /// \return with its swing; nothing if it has fewer frames
+  /// Features of the last W + 1 frames of a body, with its swing; nothing if it has fewer frames.
   [[nodiscard]] std::optional<MotionHistory> history(BodyId id) const;
 
   /// Ratio of a body's swing to its drift, which the rule compares with `share`.
@@ -86,7 +84,6 @@ class ChatterDetector {
   [[nodiscard]] double swing_ratio(BodyId id) const;
 
   /// Its thresholds.
-  /// \return as passed to the constructor
   [[nodiscard]] const ChatterDetectorOptions& options() const { return options_; }
 
  private:
@@ -112,7 +109,6 @@ class ChatterDetector {
 };
 
 /// Marks the bodies in contact, from the contacts that a technique reports.
-/// \param contacts    of the last step
 /// \param in_contact  by index: 1 for bodies in a contact, otherwise 0
 void mark_contacts(const World& world, std::span<const ContactRecord> contacts,
                    std::vector<char>& in_contact);

@@ -50,10 +50,7 @@ inline constexpr int kSquirmFrames = 11;
 /// \return [m/s] 0 for fewer than kSquirmFrames frames
 double squirm(std::span<const Corners> path, double interval);
 
-/// The largest displacement of a corner between two poses.
-/// \param from  corners of the first pose
-/// \param to    corners of the second
-/// \return [m]
+/// The largest displacement of a corner between two poses [m].
 double largest_displacement(const Corners& from, const Corners& to);
 
 /// Frames in which a displayed body jumps.

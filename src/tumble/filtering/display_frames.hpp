@@ -25,21 +25,16 @@ class DisplayFrames {
   /// \param now [s] time after the step, not before that of the last step
   void advance(double now);
 
-  /// Whether a step or a start has been added.
-  /// \return false until advance() is called
+  /// Whether a step or a start has been added; false until advance() is called.
   [[nodiscard]] bool begun() const { return begun_; }
-  /// The time after the last step.
-  /// \return [s]
+  /// The time after the last step [s].
   [[nodiscard]] double now() const { return now_; }
-  /// The first frame that the last step shows.
-  /// \return end() if the step shows none
+  /// The first frame that the last step shows; end() if the step shows none.
   [[nodiscard]] std::int64_t first() const { return first_; }
-  /// The first frame that has not been shown yet.
-  /// \return one more than the last one shown
+  /// The first frame that has not been shown yet: one more than the last one shown.
   [[nodiscard]] std::int64_t end() const { return end_; }
   /// The first frame at a time or after it.
   /// \param time [s]
-  /// \return its number
   [[nodiscard]] std::int64_t frame_from(double time) const;
   /// Position of a frame within the last step.
   /// \param frame first() to end() - 1

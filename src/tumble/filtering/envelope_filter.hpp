@@ -29,7 +29,6 @@ struct Envelope {
 class EnvelopeFilter : public FollowingFilter {
  public:
   /// Makes the filter.
-  /// \param envelope largest difference between computed and displayed pose
   /// \throws std::invalid_argument for a radius or an angle that is not finite and above 0
   explicit EnvelopeFilter(const Envelope& envelope = {});
 
@@ -64,7 +63,6 @@ class EnvelopeFilter : public FollowingFilter {
 class SoftEnvelopeFilter : public FollowingFilter {
  public:
   /// Makes the filter.
-  /// \param envelope largest difference between computed and displayed pose
   /// \throws std::invalid_argument for a radius or an angle that is not finite and above 0
   explicit SoftEnvelopeFilter(const Envelope& envelope = {});
 

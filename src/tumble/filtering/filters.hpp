@@ -17,8 +17,7 @@ struct FilterRecipe {
   std::string_view summary;  ///< one line
 };
 
-/// All filters.
-/// \return in the order of the chapter
+/// All filters, in the order of the chapter.
 std::span<const FilterRecipe> filter_library();
 
 /// Makes a filter from its text form: a name, a colon, parameters with their units.
@@ -27,7 +26,6 @@ std::span<const FilterRecipe> filter_library();
 /// `one_euro:1Hz`, `one_euro:1Hz,16`, `one_euro:1Hz,16,1Hz`. Omitted parameters have their defaults;
 /// a name alone is enough. Lengths are in `m` or `mm`, angles in `deg` or `rad`, cutoffs in `Hz`; the
 /// gain of the one-euro filter is written without its unit.
-/// \param text name and parameters
 /// \return the filter; its text() gives the same filter again
 /// \throws std::invalid_argument naming the mistake and the correct form
 std::unique_ptr<PoseFilter> filter_of(std::string_view text);

@@ -19,7 +19,6 @@ namespace tumble {
 class CalmBodies {
  public:
   /// Starts with an empty memory.
-  /// \param options of the detector
   /// \throws std::invalid_argument for a number out of range
   explicit CalmBodies(const ChatterDetectorOptions& options = {});
 
@@ -28,12 +27,10 @@ class CalmBodies {
   /// \throws std::invalid_argument as ChatterDetector::add()
   void add(const World& world, std::span<const char> in_contact);
 
-  /// Whether a body is calm.
-  /// \return false also for a body that is absent or immovable
+  /// Whether a body is calm; false also for a body that is absent or immovable.
   [[nodiscard]] bool calm(BodyId id) const;
 
-  /// The detector.
-  /// \return as of the last step
+  /// The detector, as of the last step.
   [[nodiscard]] const ChatterDetector& detector() const { return detector_; }
 
  private:
@@ -65,7 +62,6 @@ class FreezeOnChatter : public WrappedTechnique {
  public:
   /// Wraps a technique.
   /// \param technique  with sleeping on; owned by the wrapper
-  /// \param options    of the detector
   /// \throws std::invalid_argument for no technique, or a number out of range
   explicit FreezeOnChatter(std::unique_ptr<Technique> technique,
                            const ChatterDetectorOptions& options = {});
@@ -73,8 +69,7 @@ class FreezeOnChatter : public WrappedTechnique {
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
 
-  /// The calm bodies.
-  /// \return as of the last step
+  /// The calm bodies, as of the last step.
   [[nodiscard]] const CalmBodies& calm_bodies() const { return calm_; }
 
  private:

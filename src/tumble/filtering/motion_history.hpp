@@ -17,7 +17,6 @@ using Placement = Eigen::Matrix<double, 12, 1>;
 
 /// The placement of a box.
 /// \param body   its constant part, a box
-/// \param state  its pose
 /// \return [m] see Placement
 [[nodiscard]] Placement placement_of(const BodyProperties& body, const BodyState& state);
 

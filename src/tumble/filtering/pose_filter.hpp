@@ -38,16 +38,13 @@ class PoseFilter {
   /// \param show receives the remaining frames, oldest first
   void finish(const FrameSink& show);
 
-  /// Number of frames by which display is delayed.
-  /// \return 0 for a filter that displays each frame at once
+  /// Number of frames by which display is delayed; 0 for a filter that displays each frame at once.
   [[nodiscard]] virtual int latency() const { return 0; }
 
-  /// The text form of the filter, see filter_of().
-  /// \return for example "box:5"
+  /// The text form of the filter, see filter_of(), for example "box:5".
   [[nodiscard]] virtual std::string text() const = 0;
 
-  /// A copy with all memory.
-  /// \return behaves exactly like this one
+  /// A copy with all memory: behaves exactly like this one.
   [[nodiscard]] virtual std::unique_ptr<PoseFilter> clone() const = 0;
 
  protected:
@@ -57,9 +54,7 @@ class PoseFilter {
   /// For clone().
   PoseFilter& operator=(const PoseFilter& other) = default;
 
-  /// Name of the next frame in messages.
-  /// \param frame  passed to add()
-  /// \return for example "frame 3 at 0.05 s", counted from 0
+  /// Name of the next frame in messages, for example "frame 3 at 0.05 s", counted from 0.
   [[nodiscard]] std::string where(const Frame& frame) const;
 
  private:
@@ -73,7 +68,6 @@ class PoseFilter {
 };
 
 /// Filters a recorded run.
-/// \param run     its frames, any number
 /// \param filter  the filter; a fresh copy is used
 /// \return as many frames
 /// \throws std::invalid_argument as PoseFilter::add()
@@ -83,22 +77,19 @@ Trajectory filtered(const Trajectory& run, const PoseFilter& filter);
 class FilteringObserver : public Observer {
  public:
   /// Adds the start.
-  /// \param world   the bodies before the first step
   /// \param filter  the filter; a copy is used
   /// \param every   add every n-th step, at least 1
   /// \throws std::invalid_argument if `every` is below 1, or as PoseFilter::add()
   FilteringObserver(const World& world, const PoseFilter& filter, int every = 1);
 
   /// Adds the world after a step.
-  /// \param report  not used
   /// \throws std::invalid_argument as PoseFilter::add()
   void on_step(const World& world, const StepReport& report) override;
 
   /// Ends the run: the frames held back are displayed too.
   void finish();
 
-  /// The frames displayed so far.
-  /// \return latency() fewer than were added before finish()
+  /// The frames displayed so far: latency() fewer than were added before finish().
   [[nodiscard]] const Trajectory& shown() const { return shown_; }
 
  private:

@@ -3,21 +3,13 @@
 #include "tumble/fracture/breaking_row.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/math/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 namespace tumble {
-namespace {
-
-Mat3 cross_of(const Vec3& a) {
-  Mat3 m;
-  m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return m;
-}
-
-}  // namespace
 
 BreakingRow::BreakingRow(World& world, const RowOptions& options, const Vec3& position_w,
                          const Vec3& velocity_w)
@@ -84,8 +76,8 @@ void BreakingRow::find_loads(const World& world, const Piece& piece, double dt) 
   std::vector<Vec6> apart;
   for (int k = 0; k + 1 < piece.count; ++k) {
     JointRows joint{.first = k, .second = k + 1, .count = 6};
-    joint.on_first << -Mat3::Identity(), cross_of(0.5 * along_w), Mat3::Zero(), -Mat3::Identity();
-    joint.on_second << Mat3::Identity(), cross_of(0.5 * along_w), Mat3::Zero(), Mat3::Identity();
+    joint.on_first << -Mat3::Identity(), skew(0.5 * along_w), Mat3::Zero(), -Mat3::Identity();
+    joint.on_second << Mat3::Identity(), skew(0.5 * along_w), Mat3::Zero(), Mat3::Identity();
     joints.push_back(joint);
     Vec6 turning;  // what centripetal accelerations of the two sides differ by
     turning << -spin_w.cross(spin_w.cross(along_w)), Vec3::Zero();

@@ -52,19 +52,16 @@ class BreakingRow {
   /// Adds the row to a world.
   /// \param world       receives one body
   /// \param position_w  [m] of its middle
-  /// \param velocity_w  [m/s]
   /// \throws std::invalid_argument naming the value that is out of range
   BreakingRow(World& world, const RowOptions& options, const Vec3& position_w,
               const Vec3& velocity_w = Vec3::Zero());
 
   /// Pushes the row in the next step.
-  /// \param impulse_w  [N s] world frame
   /// \param along      [-] where: 0 to 1 along the row
   void push(World& world, const Vec3& impulse_w, double along);
 
   /// A step of the technique, and what it breaks.
   /// \param technique  with contacts() of the whole step: one that divides steps, as contact_damped does, shows those of the last part
-  /// \param dt         [s]
   /// \return the report of the technique; `events` are joints that broke
   StepReport step(World& world, Technique& technique, double dt);
 

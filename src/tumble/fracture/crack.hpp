@@ -34,7 +34,6 @@ class TensileStresses {
   /// \param mesh  stays as it is, and lives as long
   explicit TensileStresses(const ElasticMesh& mesh)
       : mesh_(mesh), places_(mesh.elements.size(), -1) {}
-  /// \param element  index
   /// \return its stress, until another element is asked for
   const TensileStress& of(int element);
   /// \return the mesh
@@ -56,14 +55,11 @@ class TensileStresses {
 /// An eigenvalue is a force, so it is smaller the smaller the elements are. The paper compares it with a constant, the toughness. Here it
 /// is divided by the area that belongs to the node, \f$\tfrac12 V \sum |n \cdot g|\f$, a third of the shadow of its elements along n. Under uniform tension
 /// that is the tension exactly, on every mesh.
-/// \param stresses  of the mesh
 /// \see O'Brien, Hodgins, SIGGRAPH 1999.
 /// \verified{The separation tensor of a bar under tension has the tension as its eigenvalue, along the bar}
 NodeSeparation separation_at(TensileStresses& stresses, int node);
 
-/// Smallest height of an element that a crack may leave, `tolerance::crack_least` of the smallest one now.
-/// \param mesh  the mesh, before the first crack
-/// \return [m]
+/// Smallest height of an element that a crack may leave, `tolerance::crack_least` of the smallest one now [m].
 [[nodiscard]] double least_height(const ElasticMesh& mesh);
 
 /// Counts of a mesh that was split.

@@ -22,8 +22,7 @@ struct ElasticMaterial {
   double density = 0.0;   ///< [kg/m³]
   double strength = 0.0;  ///< [Pa] tension at which it breaks, see separation_at()
 
-  /// Speed of its fastest wave, \f$c = \sqrt{(\lambda + 2\mu)/\rho}\f$.
-  /// \return [m/s]
+  /// Speed of its fastest wave, \f$c = \sqrt{(\lambda + 2\mu)/\rho}\f$ [m/s].
   [[nodiscard]] double wave_speed() const;
 };
 
@@ -62,8 +61,7 @@ struct ElasticMesh {
   std::vector<Tetrahedron> elements;   ///< ditto
   std::vector<std::vector<int>> star;  ///< by node: its elements, ascending
 
-  /// Momentum and mass.
-  /// \return [kg] sum over the nodes
+  /// Mass [kg], the sum over the nodes.
   [[nodiscard]] double mass() const;
   /// \return [kg m/s] sum over the nodes
   [[nodiscard]] Vec3 momentum_w() const;
@@ -84,8 +82,6 @@ ElasticMesh elastic_box(const Vec3& size, const std::array<int, 3>& cells,
                         const ElasticMaterial& material, const Vec3& center_w = Vec3::Zero());
 
 /// The element of four nodes, with its gradients and volume.
-/// \param nodes  of a mesh
-/// \param four   indices
 /// \return the element; its volume is negative if the order of the nodes is
 Tetrahedron tetrahedron(std::span<const ElasticNode> nodes, const std::array<int, 4>& four);
 
@@ -100,7 +96,6 @@ struct ElementStress {
 /// With the deformation F, Green's strain \f$\varepsilon = \tfrac12(F^{\mathsf T}F - 1)\f$ and its rate \f$\dot\varepsilon\f$,
 /// \f[ S = \lambda\,\mathrm{tr}\,\varepsilon\,1 + 2\mu\,\varepsilon + \phi\,\mathrm{tr}\,\dot\varepsilon\,1 + 2\psi\,\dot\varepsilon . \f]
 /// A rotation has no strain, however large it is.
-/// \param element  one of its elements
 /// \see O'Brien, Hodgins, "Graphical modeling and animation of brittle fracture", SIGGRAPH 1999. Their strain is twice this one.
 /// \verified{A deformation that is the same everywhere is so in each element, and nodes inside feel no force}
 /// \verified{A mesh that is turned and moved has no stress}
@@ -122,7 +117,6 @@ void linear_forces(const ElasticMesh& mesh, std::span<const Vec3> q, std::span<V
 /// \f[ \omega^2 = \frac4\rho \max\bigl(\mu(\gamma_1 + \gamma_2),\;
 ///     \lambda_{\max}(\lambda\,s s^{\mathsf T} + 2\mu\,\mathrm{diag}\,\gamma)\bigr), \qquad s_i = \sqrt{\gamma_i} . \f]
 /// No mesh of such elements swings faster than its fastest element (Irons).
-/// \param element  its gradients
 /// \param lambda   [Pa] λ; or [Pa s] φ
 /// \param mu       [Pa] μ; or [Pa s] ψ
 /// \param density  [kg/m³]
@@ -139,8 +133,7 @@ double element_rate(const Tetrahedron& element, double lambda, double mu, double
 /// \verified{No mesh swings faster than its fastest element, and its stable step is near the Courant step}
 double stable_step(const ElasticMesh& mesh, double extra = 0.0, int from = 0);
 
-/// The time that the fastest wave takes through the smallest height of an element.
-/// \return [s]
+/// The time that the fastest wave takes through the smallest height of an element [s].
 double courant_step(const ElasticMesh& mesh);
 
 /// Number of pieces: sets of elements that share nodes.

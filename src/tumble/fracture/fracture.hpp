@@ -45,7 +45,6 @@ class Fracture {
   Fracture(ElasticMesh mesh, World rigid, double least);
 
   /// Advances by substeps.
-  /// \param dt  [s] above 0
   /// \return `event_cap` if the step would have taken more than the cap of substeps, and ended before; `not_finite` if it blew up;
   ///         `events` are cracks, `integrations` nodes that moved
   /// \throws std::invalid_argument for a dt that is not finite and above 0

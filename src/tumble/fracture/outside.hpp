@@ -19,8 +19,7 @@ struct OutsideFace {
   std::array<int, 3> nodes{};  ///< of the mesh, counter-clockwise seen from outside
 };
 
-/// The outside of a mesh, cracks included.
-/// \return by element and corner, ascending
+/// The outside of a mesh, cracks included, by element and corner, ascending.
 std::vector<OutsideFace> outside_of(const ElasticMesh& mesh);
 
 /// A node near a face of another piece.
@@ -52,7 +51,6 @@ struct Sunk {
 class NearFace {
  public:
   /// Measures the element.
-  /// \param element  one of its elements
   /// \param corner   which of its nodes, 0 to 3, is across from the face
   NearFace(const ElasticMesh& mesh, const Tetrahedron& element, int corner);
   /// Measures a point.

@@ -58,7 +58,6 @@ struct StabilityVerdict {
 };
 
 /// Explanation of a verdict in words.
-/// \param world     names of bodies
 /// \param contacts  contacts of the run that found it
 /// \return for example "the corner at x = 1 m, z = 0.5 m is not supported"
 std::string explanation(const World& world, std::span<const Contact> contacts,

@@ -36,8 +36,6 @@ namespace tumble {
 class LoadProof {
  public:
   /// Finds the set.
-  /// \param world     the bodies where they are
-  /// \param contacts  their contacts
   /// \param stable    out: one for each body index, 1 if it is immovable or a member
   void run(const World& world, std::span<const Contact> contacts, std::vector<char>& stable);
 

@@ -65,8 +65,6 @@ class StableBoxes {
       : rule_(rule), most_points_(most_points) {}
 
   /// Finds the stable bodies.
-  /// \param world     masses, poses, gravity
-  /// \param bodies    their motion, one for each body index
   /// \param contacts  points where forces can act, and no others
   /// \return by index, a Hold: `free` for bodies that may accelerate; valid until the next call
   /// \throws std::invalid_argument for a contact of an unknown body, or a wrong number of bodies

@@ -76,8 +76,7 @@ class StaticEquilibrium {
   /// \return by index, 1 if so; also for held and immovable bodies
   [[nodiscard]] std::span<const char> balanced() const { return balanced_; }
 
-  /// Initial accelerations from rest.
-  /// \return by index; 0 up to rounding in equilibrium, 0 for held bodies
+  /// Initial accelerations from rest, by index; 0 up to rounding in equilibrium, 0 for held bodies.
   [[nodiscard]] std::span<const Acceleration> motion() const { return motion_; }
 
   /// The forces, if in equilibrium; one of many solutions if contacts are redundant.

@@ -49,20 +49,16 @@ struct TowerLoad {
 class Towers {
  public:
   /// Finds towers.
-  /// \param contacts  their contacts
   /// \param held      by index, not 0: treated as immovable and never a load. May be empty
   void run(const World& world, std::span<const Contact> contacts, std::span<const char> held);
 
   /// State of each body, by index.
-  /// \return one for each
   [[nodiscard]] std::span<const TowerState> states() const { return states_; }
 
-  /// The body below a supported one, by index.
-  /// \return -1 for other bodies
+  /// The body below a supported one, by index; -1 for other bodies.
   [[nodiscard]] std::span<const int> supports() const { return supports_; }
 
   /// Load of a body on its support, by index: itself and all above it.
-  /// \return one for each
   [[nodiscard]] std::span<const TowerLoad> loads() const { return loads_; }
 
  private:

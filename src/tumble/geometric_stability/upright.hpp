@@ -14,7 +14,6 @@
 namespace tumble {
 
 /// Whether a normal is along the positive or negative y axis.
-/// \param normal_w   [-] length 1, world frame
 /// \param tolerance  [-] largest sine of the angle to the axis
 [[nodiscard]] inline bool is_vertical(const Vec3& normal_w, double tolerance) {
   return std::sqrt(normal_w.x() * normal_w.x() + normal_w.z() * normal_w.z()) <= tolerance;
@@ -41,8 +40,7 @@ namespace tumble {
                         : tolerance::exact_vertical;
 }
 
-/// Upper bound on the vertical speed of a body's rim as it rises, sinks or tips.
-/// \return [m/s] at least 0
+/// Upper bound on the vertical speed of a body's rim as it rises, sinks or tips [m/s], at least 0.
 [[nodiscard]] inline double tipping_speed(const BodyProperties& body, const BodyState& state) {
   const Vec3 omega_w = angular_velocity(body, state);
   const double tips = std::sqrt(omega_w.x() * omega_w.x() + omega_w.z() * omega_w.z());

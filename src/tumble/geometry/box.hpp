@@ -20,7 +20,6 @@ struct Box {
 
 /// Builds a box and checks every value.
 /// \param center_w        [m] world frame
-/// \param orientation_wb  [-] body to world, length 1
 /// \param size            [m] full edge lengths, each above 0
 /// \throws std::invalid_argument for a value that is not finite, a size not above 0 or a
 ///         quaternion that is not of length 1
@@ -31,8 +30,7 @@ Box make_box(const Vec3& center_w, const Quat& orientation_wb, const Vec3& size)
 /// \return [m] world frame
 Vec3 corner_of(const Box& box, int corner);
 
-/// All corners of a box.
-/// \return [m] world frame, in the order of Box
+/// All corners of a box [m], world frame, in the order of Box.
 std::array<Vec3, 8> corners_of(const Box& box);
 
 /// How far a box reaches along a direction from its centre: \f$\sum_i h_i |a_i \cdot n|\f$.
@@ -51,7 +49,6 @@ struct Bounds {
 Bounds bounds_of(const Box& box, double margin = 0.0);
 
 /// Whether two bounds share a point; touching counts.
-/// \return true if they overlap or touch
 inline bool overlap(const Bounds& a, const Bounds& b) {
   return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }

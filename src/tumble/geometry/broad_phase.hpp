@@ -34,12 +34,10 @@ class BroadPhase {
  public:
   virtual ~BroadPhase() = default;
 
-  /// The name that a user calls it by.
-  /// \return for example "sweep_and_prune"
+  /// The name that a user calls it by, for example "sweep_and_prune".
   [[nodiscard]] virtual std::string_view name() const = 0;
 
   /// Finds all pairs of bounds that overlap; touching counts.
-  /// \param bounds  one for each body
   /// \param out     cleared and filled with every pair once, first < second, sorted by < of pairs
   /// \throws std::invalid_argument for bounds with a NaN, with low above high, or lying entirely
   ///         at infinity
@@ -47,12 +45,10 @@ class BroadPhase {
   ///       calls.
   void find_pairs(std::span<const Bounds> bounds, std::vector<IndexPair>& out);
 
-  /// The work of the last call.
-  /// \return how often two bounds were tested for overlap. Depends on what was remembered
+  /// The work of the last call: how often two bounds were tested for overlap. Depends on what was remembered.
   [[nodiscard]] std::int64_t pair_tests() const { return pair_tests_; }
 
-  /// A copy with all memory.
-  /// \return works exactly like this one from here on
+  /// A copy with all memory: works exactly like this one from here on.
   [[nodiscard]] virtual std::unique_ptr<BroadPhase> clone() const = 0;
 
  protected:
@@ -63,13 +59,10 @@ class BroadPhase {
   BroadPhase& operator=(const BroadPhase& other) = default;
 
   /// Finds the pairs in any order; called with bounds that have been checked.
-  /// \param bounds  one for each body
   /// \param out     empty; to be filled with every pair once, by report()
   virtual void search(std::span<const Bounds> bounds, std::vector<IndexPair>& out) = 0;
 
   /// Tests two bodies, counts that, and adds them if they overlap.
-  /// \param bounds  one for each body
-  /// \param out     where to add
   void test(std::span<const Bounds> bounds, int a, int b, std::vector<IndexPair>& out) {
     ++pair_tests_;
     if (overlap(bounds[static_cast<std::size_t>(a)], bounds[static_cast<std::size_t>(b)]))
@@ -89,8 +82,7 @@ class BroadPhase {
 /// \throws std::invalid_argument for another name, listing these
 [[nodiscard]] std::unique_ptr<BroadPhase> make_broad_phase(std::string_view name);
 
-/// The names that make_broad_phase() knows.
-/// \return simplest first
+/// The names that make_broad_phase() knows, simplest first.
 [[nodiscard]] std::span<const std::string_view> broad_phase_names();
 
 }  // namespace tumble

@@ -27,7 +27,6 @@ class CellTree : public BroadPhase {
   };
 
   /// Chooses the planes at which a cell is cut.
-  /// \param bounds  of all bodies
   /// \param bodies  those in the cell
   /// \param extent  the part of space that the cell stands for
   [[nodiscard]] virtual Cut cut_of(std::span<const Bounds> bounds, std::span<const int> bodies,

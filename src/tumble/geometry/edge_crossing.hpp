@@ -34,14 +34,12 @@ struct EdgeContact {
 };
 
 /// Where the edges of two boxes that reach farthest along a direction touch.
-/// \param normal_w  [-] from the first to the second
 /// \param i         the axis of the first box that its edge is parallel to
 /// \param j         the axis of the second box
 EdgeContact cross_edges(const BoxPair& pair, const Vec3& normal_w, int i, int j);
 
 /// Where two boxes are closest, of all edges that reach farthest along a direction; of edges equally close those
 /// that lie beside each other for the longest stretch.
-/// \param normal_w    [-] from the first to the second
 /// \param difference  [m] edges that reach less far by at most this count, too
 EdgeContact nearest_edges(const BoxPair& pair, const Vec3& normal_w, double difference);
 

@@ -50,8 +50,6 @@ struct Manifold {
 /// be missed: faces that do not lie over each other give no point, edges that pass beyond their ends
 /// give one between their closest points. Edges that are parallel but for 1e-7 rad give the middle
 /// of the stretch that they share or, from collide() for boxes that are apart, both ends of it.
-/// \param first   the box that the normal leaves
-/// \param second  the box that the normal enters
 /// \param found   what separation() said about the same two boxes
 /// \param margin  [m] keep points up to this far apart, at least 0
 /// \param out     is overwritten; count is 0 if the boxes are farther apart than the margin
@@ -71,8 +69,6 @@ void find_manifold(const Box& first, const Box& second, const Separation& found,
 /// Without a remembered axis, no point of boxes turned against each other by up to 0.1 rad, with edges of
 /// up to 1 : 1e6, is farther off either box than the margin, half the overlap at the point, and 1e-6 of the longest
 /// edge.
-/// \param first       the box that the normal leaves
-/// \param second      the box that the normal enters
 /// \param margin      [m] boxes up to this far apart count as touching, at least 0
 /// \param remembered  the axis in the manifold that the pair had before, or kNoAxis
 /// \param out         is overwritten. If the boxes do not touch its count is 0 and its axis and
@@ -103,7 +99,6 @@ bool collide(const Box& first, const Box& second, double margin, AxisIndex remem
 void add_face_points(const Box& first, const Box& second, double margin, Manifold& manifold);
 
 /// Exchanges the roles of the two bodies: the normal turns round; points and names stay.
-/// \param manifold is changed in place
 void flip(Manifold& manifold);
 
 }  // namespace tumble

@@ -12,8 +12,6 @@ namespace tumble {
 /// \f$s(n) = |d\cdot n| - \sum_i a_i|A_i\cdot n| - \sum_j b_j|B_j\cdot n|\f$ apart; the face with
 /// the largest s is the closest. Of faces that tie (tolerance::face_tie) the one with the lowest
 /// number is taken.
-/// \param first   the box that the normal leaves
-/// \param second  the box that the normal enters
 /// \return its axis, 0 to 5, the way from the first box to the second along it, and s
 [[nodiscard]] Separation closest_face(const Box& first, const Box& second);
 
@@ -21,8 +19,6 @@ namespace tumble {
 /// it.
 ///
 /// Looked at are 26 points of each box's surface: corners, middles of edges and of faces.
-/// \param first   the box that the normal leaves
-/// \param second  the box that the normal enters
 /// \return a face's axis, 0 to 5, the normal and how far the boxes are apart along it; axis kNoAxis
 ///         if no point of either lies in the other, as where two edges cross
 /// \see Guendelman, Bridson, Fedkiw, "Nonconvex rigid bodies with stacking", 2003, section 4.

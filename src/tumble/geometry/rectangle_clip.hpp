@@ -32,7 +32,6 @@ struct ClipArea {
 /// Each line bounds the result at most once, so the two lines that meet in a corner, the one on
 /// which the boundary comes and the one on which it goes, name that corner uniquely.
 /// \param area     in: the four corners of a parallelogram with lines 0 to 3; out: undefined
-/// \param scratch  space to work in
 /// \param half_x   [m] half size of the rectangle
 /// \param half_y   [m] half size of the rectangle
 /// \return the rest, in the same sense of rotation: one of the two arguments

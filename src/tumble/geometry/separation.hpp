@@ -58,7 +58,6 @@ struct SeparationOptions {
 /// \param first    the box that the normal leaves
 /// \param second   the box that the normal enters; exactly concentric boxes have the normal
 ///                 along the positive axis
-/// \param options  how to search
 /// \return the direction and how far apart the boxes are along it
 /// \throws std::invalid_argument if `enough` is not a number or `remembered` is not an AxisIndex
 /// \pre both boxes are finite with orthonormal axes (make_box sees to that)

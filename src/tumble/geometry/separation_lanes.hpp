@@ -23,7 +23,6 @@ struct Lanes {
   Two z_;  ///< the third and the padding
 
   /// Three numbers that lie `stride` apart in memory.
-  /// \param stride  from each to the next
   static Lanes of(const double* p, std::size_t stride = 1) {
     return {Two{p[0], p[stride]}, Two{p[2 * stride], 0.0}};
   }
@@ -42,45 +41,32 @@ struct Lanes {
   /// The same three in cyclic order from the third: z, x, y.
   [[nodiscard]] Lanes after() const { return {Two{z_[0], xy[0]}, Two{xy[1], 0.0}}; }
 
-  /// Their sum.
-  /// \return (x + y) + z
+  /// Their sum: (x + y) + z.
   [[nodiscard]] double sum() const { return xy[0] + xy[1] + z_[0]; }
 };
 
-/// Adds lane by lane.
-/// \return p + q
+/// Adds lane by lane: p + q.
 inline Lanes operator+(const Lanes& p, const Lanes& q) { return {p.xy + q.xy, p.z_ + q.z_}; }
 
-/// Subtracts lane by lane.
-/// \return p - q
+/// Subtracts lane by lane: p - q.
 inline Lanes operator-(const Lanes& p, const Lanes& q) { return {p.xy - q.xy, p.z_ - q.z_}; }
 
-/// Multiplies lane by lane.
-/// \return p q
+/// Multiplies lane by lane: p q.
 inline Lanes operator*(const Lanes& p, const Lanes& q) { return {p.xy * q.xy, p.z_ * q.z_}; }
 
-/// Multiplies all lanes by one number.
-/// \param s  the number
-/// \param p  the lanes
-/// \return s p
+/// Multiplies all lanes by one number: s p.
 inline Lanes operator*(double s, const Lanes& p) { return {s * p.xy, s * p.z_}; }
 
-/// Adds one number to all lanes.
-/// \param p  the lanes
-/// \param s  the number
-/// \return p + s
+/// Adds one number to all lanes: p + s.
 inline Lanes operator+(const Lanes& p, double s) { return {p.xy + s, p.z_ + s}; }
 
-/// Takes the sign bits away.
-/// \param p the lanes
-/// \return |p|
+/// Takes the sign bits away: |p|.
 inline Lanes abs(const Lanes& p) {
   constexpr std::int64_t kAllButSign = 0x7fffffffffffffff;
   return {Lanes::Two(Lanes::Bits(p.xy) & kAllButSign), Lanes::Two(Lanes::Bits(p.z_) & kAllButSign)};
 }
 
-/// Which lanes are above those of another.
-/// \return bit 0 for the first lane, bit 1 and bit 2 for the others
+/// Which lanes are above those of another: bit 0 for the first lane, bit 1 and bit 2 for the others.
 inline unsigned above(const Lanes& p, const Lanes& q) {
   const Lanes::Bits bits = (Lanes::Bits(p.xy > q.xy) & Lanes::Bits{1, 2}) |
                            (Lanes::Bits(p.z_ > q.z_) & Lanes::Bits{4, 0});

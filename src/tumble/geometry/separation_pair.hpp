@@ -35,8 +35,7 @@ struct BoxPair {
   Lanes a;                     ///< [m] half sizes of the first box
   Lanes b;                     ///< [m] half sizes of the second box
 
-  /// How far a separation may be off by rounding.
-  /// \return [m] tolerance::separation_rounding of all lengths in it
+  /// How far a separation may be off by rounding [m]: tolerance::separation_rounding of all lengths in it.
   [[nodiscard]] double rounding() const {
     return tolerance::separation_rounding * (a.sum() + b.sum() + abs(d_first).sum());
   }
@@ -44,7 +43,6 @@ struct BoxPair {
 
 /// Does the work of separation(const Box&, const Box&, const SeparationOptions&).
 /// \param options  how to search; not checked
-/// \return the direction and how far apart the boxes are along it
 Separation separation(const BoxPair& pair, const SeparationOptions& options);
 
 }  // namespace tumble

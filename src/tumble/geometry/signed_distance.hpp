@@ -24,7 +24,6 @@ struct SignedDistance {
 /// taken, and the positive side where the coordinate is 0: at the centre of a cube the gradient
 /// is the box's own +x.
 ///
-/// \param point_w  [m] world frame
 /// \return distance, exact to rounding, and gradient
 /// \throws std::invalid_argument for a point that is not finite
 /// \par Cost

@@ -61,7 +61,6 @@ struct ClosingBound {
 
 /// The longest time for which a separation surely lasts.
 /// \param distance  [m] at least 0
-/// \param bound     how fast it can shrink
 /// \return [s] up to when `speed` τ + `acceleration` τ²/2 stays at or below the distance; infinite:
 ///         for ever
 [[nodiscard]] double safe_time(double distance, const ClosingBound& bound);

@@ -44,7 +44,6 @@ class Collide {
   /// \param collision    the pair, its normal and point (or points, which are resolved together);
   ///                     gets the impulses added
   /// \param restitution  [-] e, -1 to 1
-  /// \param dt           [s] above 0
   /// \param bodies       velocities and marks; changed
   CollideResult run(const World& world, Contact& collision, double restitution,
                     TemporaryGravity gravity, double dt, DampedBodies& bodies);

@@ -116,8 +116,7 @@ class Damped : public Technique {
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
 
-  /// The bodies that were geometrically stable at the end of the last step.
-  /// \return ids of movable bodies, ascending
+  /// The bodies that were geometrically stable at the end of the last step: ids of movable bodies, ascending.
   [[nodiscard]] std::span<const BodyId> stable_bodies() const { return stable_ids_; }
 
  private:

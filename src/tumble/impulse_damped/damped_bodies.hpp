@@ -30,18 +30,15 @@ struct DampedBodies {
   /// integrateObjectPositions(Δt, VELOCITY_PLUS_GRAVITY): where bodies come to with the velocities
   /// that they have and the gravity of one step.
   /// \param world  the bodies at the step's start
-  /// \param dt     [s] above 0
   /// \return how many bodies were advanced
   int predict(const World& world, double dt, RotationRule rule);
 
   /// Takes the mark of stability from bodies that are touched from the side (thesis 5.4: all
   /// normals of a stable body's contacts are along the y axis).
-  /// \param collisions  what overlaps
   void clear_tilted(const World& world, std::span<const Contact> collisions);
 
   /// Whether a contact has a movable body that is geometrically stable. Its normal is along the y
   /// axis, or the mark would have been taken: see clear_tilted().
-  /// \param contact  two of them
   [[nodiscard]] bool holds_firm(const World& world, const Contact& contact) const;
 
   /// Makes a body easy to move as it is by itself, or, if it is stable, sideways and about the
@@ -50,9 +47,7 @@ struct DampedBodies {
 };
 
 /// The kinetic energy of a body in a stage, \f$\tfrac12 m v^2 + \tfrac12 \omega\cdot I\omega\f$.
-/// \param body    its mass and inertia
 /// \param axes_w  [-] its axes as columns
-/// \param moving  how it moves
 /// \return [J] 0 for an immovable body
 double kinetic_energy_of(const BodyProperties& body, const Mat3& axes_w, const MovingBody& moving);
 

@@ -81,23 +81,18 @@ inline constexpr double kDampedStepsPerSecond = 60.0;
 inline constexpr double kReportedDamping = 2.0;
 
 /// The factors of a time step, \f$k^{\,60\,\Delta t\,s}\f$ with s = k_scale.
-/// \param numbers  the constants
-/// \param dt       [s] the time step, above 0
 /// \return one for each k
 [[nodiscard]] DampedFactors factors_of(const DampedNumbers& numbers, double dt);
 
 /// The thresholds of a body.
-/// \param numbers  the constants
 /// \param body     a box
 /// \param gravity  [m/s²] size of gravity; without any, momenta have no scale and their thresholds
 ///         are 0
-/// \param dt       [s] the time step, above 0
 /// \return in SI units
 [[nodiscard]] DampedThresholds thresholds_of(const DampedNumbers& numbers,
                                              const BodyProperties& body, double gravity, double dt);
 
 /// Refuses constants that make no sense.
-/// \param numbers the constants
 /// \throws std::invalid_argument naming the value: an ε or scale that is negative or not finite, a
 ///         k outside 0 to 1
 void check(const DampedNumbers& numbers);

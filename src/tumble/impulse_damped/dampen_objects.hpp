@@ -25,8 +25,7 @@ struct DampingParts {
   bool operator==(const DampingParts& other) const = default;
 };
 
-/// The combinations of parts that the option `damping` accepts.
-/// \return each with its name
+/// The combinations of parts that the option `damping` accepts, each with its name.
 std::vector<Word<DampingParts>> damping_words();
 
 /// Parts of the damping by their names.
@@ -43,13 +42,11 @@ struct DampingReport {
 };
 
 /// Whether a face of a box is across gravity, within a tolerance.
-/// \param orientation_wb  [-] body to world
 /// \param tolerance       [rad] largest angle between a box's axis and the vertical
 /// \return true if \f$\max_i |R_{yi}| \ge \cos\varepsilon\f$
 [[nodiscard]] bool check_y_axis_alignment(const Quat& orientation_wb, double tolerance);
 
 /// Turns a box so that the axis that is nearest to the vertical comes nearer to it.
-/// \param orientation_wb  [-] body to world
 /// \param most            [rad] by how much at most, at least 0
 /// \return [-] the new orientation; exactly upright if the tilt was not above `most`
 [[nodiscard]] Quat tilted_towards_y_axis(const Quat& orientation_wb, double most);
@@ -80,7 +77,6 @@ class ObjectDamping {
   /// \param touched  by index: whether the body had a contact interaction in this step
   /// \param numbers  ε and k
   /// \param parts    which parts are used
-  /// \param dt       [s] above 0
   DampingReport run(World& world, std::span<const char> touched, const DampedNumbers& numbers,
                     const DampingParts& parts, double dt, RotationRule rotation);
 

@@ -44,7 +44,6 @@ class FixContactConstraints {
   /// \param world     positions in and out
   /// \param contacts  the overlaps: all points of each contact area
   /// \param numbers   ε1
-  /// \param dt        [s] above 0
   FixReport run(World& world, std::span<const Contact> contacts, const DampedNumbers& numbers,
                 double dt);
 

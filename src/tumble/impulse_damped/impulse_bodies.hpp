@@ -55,7 +55,6 @@ class ImpulseBodies {
   void thaw(const World& world);
 
   /// Writes the velocities into the world and moves all bodies with them.
-  /// \param world   the bodies; states in and out
   /// \param energy  [J] what carried bodies have got by not going straight is added
   /// \return how many bodies were moved
   int move(World& world, double& energy);
@@ -69,14 +68,11 @@ class ImpulseBodies {
   /// How bodies move, the predicted centre as position.
   /// \return one for each body index; call predict() after a change of velocity
   [[nodiscard]] std::span<MovingBody> moving() { return moving_; }
-  /// Where bodies will be.
-  /// \return one for each body index
+  /// Where bodies will be: one for each body index.
   [[nodiscard]] std::span<const BodyState> predicted() const { return predicted_; }
-  /// How often a body was predicted in this step.
-  /// \return from 1; another number means another pose
+  /// How often a body was predicted in this step: from 1; another number means another pose.
   [[nodiscard]] int version(int body) const { return version_[static_cast<std::size_t>(body)]; }
-  /// How often any body was predicted in this step.
-  /// \return the sum over all bodies
+  /// How often any body was predicted in this step: the sum over all bodies.
   [[nodiscard]] int predictions() const { return predictions_; }
 
  private:

@@ -48,21 +48,17 @@ class ImpulsePairs {
   void begin(double margin);
 
   /// Finds all pairs that overlap or touch at the predicted poses.
-  /// \param bodies    their predicted poses
   /// \param sleeping  pairs to leave out (SleepingRule::needs_test()); nullptr: none
   /// \return their numbers, ascending by the indices of the bodies; valid until the next call
   std::span<int> find(const World& world, const ImpulseBodies& bodies,
                       const SleepingRule* sleeping);
 
   /// Looks at one pair again, if a body of it has got another predicted pose.
-  /// \param bodies  their predicted poses
   /// \param number  of the pair
   /// \return the pair as it is now
   ImpulsePair& look(const World& world, const ImpulseBodies& bodies, int number);
 
-  /// A pair.
-  /// \param number from find()
-  /// \return as last seen
+  /// A pair as last seen.
   [[nodiscard]] ImpulsePair& operator[](int number) {
     return pairs_[static_cast<std::size_t>(number)];
   }
@@ -71,12 +67,10 @@ class ImpulsePairs {
   /// \param out is overwritten; sorted by id
   void list_near(ContactList& out) const;
 
-  /// All pairs of this step, for reports.
-  /// \return numbers, ascending by the indices of the bodies
+  /// All pairs of this step, for reports: numbers, ascending by the indices of the bodies.
   [[nodiscard]] std::span<const int> all() const { return sorted_; }
 
   /// Tests of two bodies since begin().
-  /// \return from 0
   [[nodiscard]] std::int64_t tests() const { return tests_; }
 
  private:

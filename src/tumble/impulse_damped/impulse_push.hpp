@@ -40,7 +40,6 @@ struct PushResult {
 class ImpulsePush {
  public:
   /// Chooses the points.
-  /// \param points where impulses act
   explicit ImpulsePush(ImpulsePoints points = ImpulsePoints::area) : points_(points) {}
 
   /// Lets a pair collide: Newton's restitution, Coulomb's friction.
@@ -49,9 +48,6 @@ class ImpulsePush {
   /// this pair has been seen to approach in this step. If others press the two together again, they
   /// part with that speed again, or as fast as the energy of the new approach allows.
   /// \param pair         overlaps; impulses are added to its points
-  /// \param bodies       how they move
-  /// \param restitution  [-] 0 to 1
-  /// \param dt           [s] of the step
   PushResult collide(ImpulsePair& pair, std::span<MovingBody> bodies, double restitution,
                      double dt);
 
@@ -64,9 +60,7 @@ class ImpulsePush {
   /// too, so a part of an impulse that keeps them keeps them as well. Friction comes in by the
   /// same share.
   /// \param pair    overlaps; impulses are added to its points
-  /// \param bodies  how they move
   /// \param share   [-] 1 + ε, above 0 and at most 1, which ends the approach
-  /// \param dt      [s] of the step
   /// \param ahead_w [m/s] how far the velocities are ahead of those at which the work of the
   ///                impulse is reported: half of what gravity gave in this step
   PushResult hold(ImpulsePair& pair, std::span<MovingBody> bodies, double share, double dt,

@@ -40,7 +40,6 @@ class BaraffSolver : public LcpSolver {
   /// Solves one problem.
   /// \param problem  A symmetric and positive semidefinite; if it is seen not to be semidefinite the
   ///                 status says so
-  /// \param result   the answer
   /// \param start    rows to begin with as pushing
   /// \throws std::invalid_argument as require_valid() and require_valid_start()
   void solve(const LcpProblem& problem, LcpResult& result,

@@ -17,11 +17,9 @@ namespace tumble {
 class BlockCholesky {
  public:
   /// Finds the order and the places of the blocks, unless the rows touch the same bodies as before.
-  /// \param rows which bodies they touch
   void analyse(const BlockRows& rows);
 
   /// Sets the matrix up and factors it.
-  /// \param rows      as in analyse()
   /// \param in_set    (n) not 0 for the rows of C
   /// \param softness  [-] \f$\varepsilon > 0\f$, large enough not to drown in rounding
   void factor(const BlockRows& rows, const std::vector<char>& in_set, double softness);

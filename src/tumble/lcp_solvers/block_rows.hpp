@@ -39,11 +39,9 @@ class BlockRows {
   [[nodiscard]] int size() const { return static_cast<int>(length_.size()); }
   /// \return how many blocks z has
   [[nodiscard]] int blocks() const { return blocks_; }
-  /// \param i a row
   /// \return [kg^-1/2] \f$\ell_i\f$; 0 for a row that moves nothing, which has no blocks
   [[nodiscard]] double length(int i) const { return length_[static_cast<std::size_t>(i)]; }
-  /// Where each row begins.
-  /// \return (n+1) positions in blocks_of_rows() and parts()
+  /// Where each row begins: (n+1) positions in blocks_of_rows() and parts().
   [[nodiscard]] const std::vector<int>& begin_of_rows() const { return begin_; }
   /// \return the blocks of z that the rows have a part in, row by row
   [[nodiscard]] const std::vector<int>& blocks_of_rows() const { return block_; }

@@ -37,14 +37,12 @@ struct LcpFactors {
 };
 
 /// Refuses factors that make no sense.
-/// \param factors  what to look at
 /// \throws std::invalid_argument for a body's index out of range, twice the same body in a row, a
 ///         number that is not finite, or a negative inverse mass or diagonal entry of an inverse
 ///         inertia
 void require_valid(const LcpFactors& factors);
 
 /// A = J W Jᵀ.
-/// \param factors  what to multiply
 /// \param A        [1/kg] (n×n) the product, exactly symmetric; overwritten, its storage is used
 ///                 again
 /// \throws std::invalid_argument as require_valid()

@@ -9,8 +9,6 @@
 namespace tumble {
 
 /// What a force counts for in its own row.
-/// \param A    the matrix
-/// \param row  from 0 to n - 1
 /// \return [1/kg] A_ii, or where that cannot be a measure, as in rows of friction, the largest |A_ij| of the row, or 1
 ///         if all are 0
 double row_yield(const MatX& A, int row);
@@ -22,7 +20,6 @@ double row_yield(const MatX& A, int row);
 /// \f$c_{ji}\f$ the product of the couplings \f$|A_{kl}|/\sqrt{y_k y_l} \le 1\f$ along the best way from row j to row
 /// i. A row that separates without a force acts on no other one, so its load counts in its own row only. Where bodies
 /// are known (`factors`) it counts everywhere: all loads are then sums over the same motions, with their rounding.
-/// \param problem  the problem
 /// \param result   after complete()
 /// \return [-] \f$\max_i |\min(y_i f_i, a_i)|\f$ over the unit of row i, with |a_i| for equalities. Rows whose violation
 ///         is below `tolerance::usable_residual` of their own terms \f$|b_i| + \sum_j |A_{ij} f_j|\f$ are left out.

@@ -40,9 +40,7 @@ enum class LcpStatus : std::uint8_t {
   ray                         ///< Lemke's path ended on a ray: there may be a solution or not
 };
 
-/// The name of a status in files.
-/// \param status the status
-/// \return for example "solved"
+/// The name of a status in files, for example "solved".
 std::string_view name_of(LcpStatus status);
 
 /// An answer. Used again for the next problem, it allocates nothing.
@@ -64,7 +62,6 @@ struct LcpResult {
 };
 
 /// Residual of an answer, the same for all solvers.
-/// \param problem the problem
 /// \param f       (n) the answer
 /// \return [-] \f$\max_i |\min(A_{ii} f_i, a_i)| / \max_i |b_i|\f$, with |a_i| for equalities; the
 ///         numerator if b = 0; 0 for n = 0. Where A_ii is not positive, which no contact has but a
@@ -80,7 +77,6 @@ enum class LcpMatrix : std::uint8_t {
 };
 
 /// Refuses an invalid problem.
-/// \param problem the problem
 /// \param needs   matrices that the solver takes
 /// \throws std::invalid_argument naming the row and the value: sizes that differ, a number that is
 ///         not finite, an asymmetric A for a solver that needs a symmetric one
@@ -88,30 +84,23 @@ void require_valid(const LcpProblem& problem, LcpMatrix needs);
 
 /// Refuses an invalid list of rows to start with.
 /// \param size  n
-/// \param start the list
 /// \throws std::invalid_argument naming a row that is out of range or given twice
 void require_valid_start(int size, std::span<const int> start);
 
-/// Whether a row is an equality.
-/// \param problem the problem
-/// \param row     from 0 to n - 1
-/// \return true if its force may have any sign and its acceleration has to be 0
+/// Whether a row is an equality; true if its force may have any sign and its acceleration has to be 0.
 inline bool is_equality(const LcpProblem& problem, int row) {
   return !problem.equality.empty() && problem.equality[static_cast<std::size_t>(row)] != 0;
 }
 
 /// Computes a, `pushing` and the residual from the forces.
-/// \param problem the problem
 /// \param result  f of length n, given
 void complete(const LcpProblem& problem, LcpResult& result);
 
 /// complete(); then the status `solved` becomes `singular` unless the answer passes holds().
-/// \param problem the problem
 /// \param result  f of length n and a status, given
 void conclude(const LcpProblem& problem, LcpResult& result);
 
 /// Residual after each row is divided by the root of its A_ii, so that it does not depend on the rows' units.
-/// \param problem  the problem
 /// \param result   after complete()
 /// \return [-] as lcp_residual(), each row and each b_i over the root of A_ii or what stands for it; infinite if
 ///         a number of f or a is not finite
@@ -119,7 +108,6 @@ double scaled_residual(const LcpProblem& problem, const LcpResult& result);
 
 /// Whether an answer may be called solved: its residual, its scaled residual and its row residual (judge.hpp) are at
 /// most `tolerance::usable_residual`.
-/// \param problem  the problem
 /// \param result   after complete()
 /// \return false also if a number in it is not finite
 bool holds(const LcpProblem& problem, const LcpResult& result);
@@ -129,8 +117,7 @@ class LcpSolver {
  public:
   virtual ~LcpSolver() = default;
 
-  /// The name in commands and files.
-  /// \return for example "lemke"
+  /// The name in commands and files, for example "lemke".
   [[nodiscard]] virtual std::string_view name() const = 0;
 
   /// Solves one problem.
@@ -152,13 +139,10 @@ struct LcpRecipe {
   std::unique_ptr<LcpSolver> (*make)();  ///< with its defaults
 };
 
-/// All solvers.
-/// \return in the order in which `tumble lcp --list` shows them
+/// All solvers, in the order in which `tumble lcp --list` shows them.
 const std::vector<LcpRecipe>& lcp_solvers();
 
 /// Makes a solver, with the safeguards of SafeguardedSolver.
-/// \param name its name
-/// \return the solver with its defaults
 /// \throws std::invalid_argument listing the names if there is none of this name
 std::unique_ptr<LcpSolver> make_lcp_solver(std::string_view name);
 

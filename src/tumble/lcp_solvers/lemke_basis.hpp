@@ -37,8 +37,7 @@ class LemkeBasis {
   /// \param problem has to outlive the calls below
   void begin(const LcpProblem& problem);
 
-  /// The unknowns of the basis.
-  /// \return (n) the unknown that each row has been solved for
+  /// The unknowns of the basis: (n) the unknown that each row has been solved for.
   [[nodiscard]] const std::vector<int>& unknowns() const { return unknowns_; }
 
   /// The values of the unknowns of the basis while all others are 0.
@@ -57,8 +56,7 @@ class LemkeBasis {
   /// \param answer   of answer_to(entering), not 0 in that row
   void exchange(int row, int entering, const Rounded& answer);
 
-  /// The work so far.
-  /// \return multiplications since begin()
+  /// The work so far: multiplications since begin().
   [[nodiscard]] std::int64_t multiplications() const { return multiplications_; }
 
  private:

@@ -26,7 +26,6 @@ class LemkeRestarts {
   LemkeRestarts();
 
   /// Tries until an answer passes holds().
-  /// \param problem  a valid one
   /// \param result   the answer if there is one; else it is left as it is
   /// \return whether there is one
   bool solve(const LcpProblem& problem, LcpResult& result);

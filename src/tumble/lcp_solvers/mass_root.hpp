@@ -40,7 +40,6 @@ class MassRoots {
 void require_factors_fit(const LcpProblem& problem);
 
 /// Refuses factors whose product has another diagonal than A.
-/// \param row      from 0 to n - 1
 /// \param product  [1/kg] the diagonal entry of J W Jᵀ
 /// \throws std::invalid_argument naming the row and both numbers
 void require_diagonal(const LcpProblem& problem, int row, double product);

@@ -7,14 +7,10 @@
 namespace tumble {
 
 /// Refuses a problem whose parts do not fit.
-/// \param A  the matrix
-/// \param b  the constant part
 /// \throws std::invalid_argument if A is not square, or b has another length
 void require_sizes(const MatRef& A, const VecRef& b);
 
 /// Refuses mistakes, and looks for what no positive semidefinite matrix has.
-/// \param A (n×n) the matrix
-/// \param b (n) the constant part
 /// \return whether the principal minors of one and two rows allow A to be positive semidefinite:
 ///         \f$A_{ii} \ge 0\f$ and \f$A_{ij}^2 \le A_{ii} A_{jj}\f$
 /// \throws std::invalid_argument if sizes differ, a number is not finite, or A is asymmetric by more

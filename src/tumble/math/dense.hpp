@@ -23,9 +23,7 @@ inline Eigen::Map<const VecX> view(const std::vector<double>& v) {
 ///
 /// Summing by columns, each entry of y gets its terms in the order of the columns, whether the
 /// compiler takes one entry at a time or eight: the bits stay the same.
-/// \param s       the factor
 /// \param A       (m×n) the matrix
-/// \param column  which column
 /// \param y       (m) to be added to
 void add_column(double s, const MatRef& A, int column, std::span<double> y);
 
@@ -47,8 +45,7 @@ class SubsetCholesky {
   /// \param size how many indices may come, the n of A
   void clear(int size);
 
-  /// The indices held.
-  /// \return C, in the order in which they were appended
+  /// The indices held: C, in the order in which they were appended.
   [[nodiscard]] const std::vector<int>& indices() const { return indices_; }
 
   /// Takes an index into view: what appending it would add.
@@ -99,8 +96,7 @@ class OrthogonalFactor {
   /// \param columns  how many columns may be held at once, at most
   void clear(int rows, int columns);
 
-  /// The columns held.
-  /// \return P, in the order in which they were appended
+  /// The columns held: P, in the order in which they were appended.
   [[nodiscard]] const std::vector<int>& indices() const { return indices_; }
 
   /// Appends a column, unless it depends on those held (`tolerance::dependent_length`).
@@ -119,8 +115,7 @@ class OrthogonalFactor {
   /// \param x  (|P|) the answer, in the order of indices()
   void solve(const VecRef& d, std::span<double> x);
 
-  /// The work done, whatever the machine.
-  /// \return [-] multiplications and divisions since clear()
+  /// The work done, whatever the machine: multiplications and divisions since clear().
   [[nodiscard]] std::int64_t multiplications() const { return multiplications_; }
 
  private:

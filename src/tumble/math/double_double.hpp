@@ -22,19 +22,13 @@ struct Pair {
   double low = 0.0;   ///< the remainder
 };
 
-/// a + b exactly, for |a| >= |b| or a = 0.
-/// \param a  the larger summand
-/// \param b  the smaller summand
-/// \return the sum and its error
+/// a + b exactly, for |a| >= |b| or a = 0: the sum and its error.
 constexpr Pair ordered_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-/// a + b exactly.
-/// \param a  a summand
-/// \param b  a summand
-/// \return the sum and its error
+/// a + b exactly: the sum and its error.
 constexpr Pair sum(double a, double b) {
   const double sum = a + b;
   const double b_seen = sum - a;
@@ -44,8 +38,6 @@ constexpr Pair sum(double a, double b) {
 /// a b exactly; both factors below 2^996.
 ///
 /// Each factor is split into halves of 26 bits, whose products are exact.
-/// \param a  a factor
-/// \param b  a factor
 /// \return the product and its error
 constexpr Pair product(double a, double b) {
   constexpr double splitter = 134217729.0;  // 2^27 + 1
@@ -60,23 +52,18 @@ constexpr Pair product(double a, double b) {
 }
 
 /// a + b to about 104 bits of the larger one.
-/// \param a  a summand
-/// \param b  a summand
 constexpr Pair sum(const Pair& a, const Pair& b) {
   const Pair s = sum(a.high, b.high);
   return ordered_sum(s.high, s.low + (a.low + b.low));
 }
 
 /// a b to about 104 bits.
-/// \param a  a factor
-/// \param b  a factor
 constexpr Pair product(const Pair& a, const Pair& b) {
   const Pair p = product(a.high, b.high);
   return ordered_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
 }
 
 /// a / b to about 104 bits.
-/// \param a  the dividend
 /// \param b  the divisor, not 0
 constexpr Pair quotient(const Pair& a, const Pair& b) {
   const double reciprocal = 1.0 / b.high;  // good enough for the correction, and not waited for
@@ -92,8 +79,6 @@ constexpr Pair scaled(const Pair& a, double power) { return {a.high * power, a.l
 
 /// Σ c_k z^k with the even and the odd terms summed side by side, which halves the waiting.
 /// \tparam N how many coefficients, at least 2
-/// \param c  coefficients, lowest power first
-/// \param z  the variable
 template <int N>
 constexpr double series(const double (&c)[N], double z) {
   const double square = z * z;

@@ -40,7 +40,6 @@ Vec3 rotation_vector(const Quat& q);
 /// \f$q(t + \Delta t) = \exp(\Delta t\,\omega)\, q(t)\f$. Adding \f$\tfrac12\Delta t\,\omega q\f$
 /// instead would turn by the arc tangent of the half angle and lengthen q.
 /// \param q_wb     [-] body to world
-/// \param omega_w  [rad/s] world frame
 /// \param dt       [s] may be negative
 /// \return [-] body to world, length 1
 /// \throws std::invalid_argument if a value is not finite or q_wb has no direction
@@ -66,7 +65,6 @@ Vec3 along_arc(const Vec3& rotation_w, const Vec3& straight_w);
 /// \f[ \dot r = \omega - \tfrac12\, r\times\omega
 ///     + \frac{1 - \frac\theta2\cot\frac\theta2}{\theta^2}\; r\times(r\times\omega). \f]
 /// \param rotation_w [rad] r, shorter than 2π
-/// \param omega_w    [rad/s] world frame
 /// \return [rad/s] \f$\omega\f$ itself if r is 0 or along it
 /// \throws std::invalid_argument for a rotation of 2π or more, or one that is not finite
 Vec3 rotation_vector_rate(const Vec3& rotation_w, const Vec3& omega_w);

@@ -40,7 +40,6 @@ struct BlockPair {
 class SparseBlocks {
  public:
   /// Finds the order and the places of the blocks, unless the pattern is the one of the last call.
-  /// \param blocks  how many blocks of unknowns there are
   /// \param joined  which of them are coupled; a pair may come more than once
   /// \return whether the pattern is another one: then nothing is factored
   /// \throws std::invalid_argument for a block out of range or coupled to itself
@@ -50,7 +49,6 @@ class SparseBlocks {
   void clear();
 
   /// Adds to the block of one block of unknowns with itself.
-  /// \param block  which
   /// \param value  symmetric
   void add_to(int block, const Mat6& value);
 
@@ -67,11 +65,9 @@ class SparseBlocks {
   /// \param x  one for each block: right-hand side in, solution out
   void solve(std::span<Vec6> x);
 
-  /// The cost of factor().
-  /// \return [-] multiplications and divisions
+  /// The cost of factor(): multiplications and divisions.
   [[nodiscard]] std::int64_t multiplications_of_factor() const { return factor_work_; }
-  /// The cost of solve().
-  /// \return [-] multiplications and divisions
+  /// The cost of solve(): multiplications and divisions.
   [[nodiscard]] std::int64_t multiplications_of_solve() const {
     return 42 * std::int64_t{blocks_} +
            72 * (static_cast<std::int64_t>(row_.size()) - std::int64_t{blocks_});

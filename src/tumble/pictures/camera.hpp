@@ -42,21 +42,16 @@ class Projection {
   [[nodiscard]] Vec2 operator()(const Vec3& point_w) const;
 
   /// Distance of a point in front of the eye.
-  /// \param point_w [m] world frame
   /// \return [m] along the middle line of sight; below 0 behind the eye
   [[nodiscard]] double depth(const Vec3& point_w) const { return -back_w_.dot(point_w - eye_w_); }
 
-  /// Direction opposite to the line of sight.
-  /// \return [-] length 1, world frame
+  /// Direction opposite to the line of sight [-], length 1, world frame.
   [[nodiscard]] const Vec3& back_w() const { return back_w_; }
-  /// To the right in the picture.
-  /// \return [-] length 1, horizontal, world frame
+  /// To the right in the picture [-], length 1, horizontal, world frame.
   [[nodiscard]] const Vec3& right_w() const { return right_w_; }
-  /// Upwards in the picture.
-  /// \return [-] length 1, world frame
+  /// Upwards in the picture [-], length 1, world frame.
   [[nodiscard]] const Vec3& up_w() const { return up_w_; }
-  /// Scale of the projection.
-  /// \return [px] of a length of 1 m across the line of sight at a depth of 1 m
+  /// Scale of the projection [px], of a length of 1 m across the line of sight at a depth of 1 m.
   [[nodiscard]] double scale() const { return scale_; }
 
  private:

@@ -61,9 +61,7 @@ class FilmPainter {
 std::vector<int> film_delays(const Film& film, double rate);
 
 /// Writes a film as a GIF.
-/// \param film  the film, at least one frame
 /// \param rate  [1/s] frames in a second, 1 to 50
-/// \return the bytes of the file
 /// \throws std::invalid_argument as FilmPainter and gif_delays() do
 std::string to_gif(const Film& film, double rate);
 

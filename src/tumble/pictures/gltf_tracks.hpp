@@ -26,8 +26,6 @@ std::vector<std::optional<GltfTrack>> gltf_tracks(const RecordedRun& run,
                                                   std::span<const RecordedFrame> frames);
 
 /// Adds numbers in single precision to a list.
-/// \param v     x, y, z
-/// \param list  receives the numbers
 void add_numbers(const Vec3& v, std::vector<float>& list);
 
 /// Adds numbers in single precision to a list.

@@ -50,11 +50,9 @@ class Lamp {
   ///                sharp for 1, the middle
   Lamp(const Projection& view, int points);
 
-  /// The middle of the lamp.
-  /// \return [-] direction to it, length 1, world frame
+  /// The middle of the lamp [-]: direction to it, length 1, world frame.
   [[nodiscard]] const Vec3& middle_w() const { return middle_w_; }
-  /// The points of the lamp.
-  /// \return [-] directions to them, length 1, world frame
+  /// The points of the lamp [-]: directions to them, length 1, world frame.
   [[nodiscard]] const std::vector<Vec3>& points_w() const { return points_w_; }
 
   /// The colour of a face: ambient light, diffuse light by Lambert's cosine, and a little white where it is
@@ -75,7 +73,6 @@ class Lamp {
 };
 
 /// The shadow of the part of a box in front of a surface.
-/// \param plane    the surface
 /// \param light_w  [-] direction to the light; its angle with the normal is less than 90 degrees
 /// \return [m] along u and v, counter-clockwise; none if the box is behind the surface
 [[nodiscard]] Polygon shadow_of(const Box& box, const Plane& plane, const Vec3& light_w);

@@ -23,7 +23,6 @@ class ViewPoint {
   static ViewPoint along(const Vec3& direction_w);
 
   /// The line of sight through a point.
-  /// \param point_w  [m] world frame
   /// \return [any] world frame, away from the viewer; its length has no meaning
   [[nodiscard]] Vec3 sight(const Vec3& point_w) const;
 
@@ -34,7 +33,6 @@ class ViewPoint {
   [[nodiscard]] double side(const Vec3& normal_w, double offset) const;
 
   /// How far away a point is, for sorting.
-  /// \param point_w  [m] world frame
   /// \return [m] from the eye, or along the direction
   [[nodiscard]] double depth(const Vec3& point_w) const;
 
@@ -56,7 +54,6 @@ using PaintersOrder = std::vector<std::vector<int>>;
 /// line is the image of a plane through an edge and the viewer, so 24 planes are tried, and nothing
 /// has to be projected. Boxes may be anywhere: around the eye or behind it too. On opposite sides of
 /// an eye the answer may be true although no line of sight meets both.
-/// \param view  from where they are seen
 /// \return false if no line of sight passes through the inside of both
 [[nodiscard]] bool views_overlap(const Box& first, const Box& second, const ViewPoint& view);
 
@@ -69,8 +66,6 @@ using PaintersOrder = std::vector<std::vector<int>>;
 /// painted first. If there is none, the smallest group that covers none outside it is.
 ///
 /// Boxes that overlap slightly are ordered by the axis of least overlap, others are in one group.
-/// \param boxes  all boxes of the picture
-/// \param view   from where it is seen
 /// \return the order; boxes at equal depth in the order of their indices
 /// \par Cost
 /// n²/2 pairs, about 1 µs each: for pictures, not for simulations.
@@ -79,7 +74,6 @@ using PaintersOrder = std::vector<std::vector<int>>;
 [[nodiscard]] PaintersOrder painters_order(std::span<const Box> boxes, const ViewPoint& view);
 
 /// Sorts boxes for a perspective view.
-/// \param boxes  all boxes of the picture
 /// \param eye_w  [m] where the eye is, world frame
 /// \throws std::invalid_argument for an eye that is not finite
 [[nodiscard]] inline PaintersOrder painters_order(std::span<const Box> boxes, const Vec3& eye_w) {

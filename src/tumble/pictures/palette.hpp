@@ -19,7 +19,6 @@ class ColourCount {
   };
 
   /// Counts the pixels of a picture.
-  /// \param raster the picture
   void add(const Raster& raster);
 
   /// Chooses colours that represent all counted ones.
@@ -44,8 +43,7 @@ class Palette {
   /// \return from 0; for a colour in the palette its own
   [[nodiscard]] std::uint8_t nearest(std::uint32_t colour);
 
-  /// All colours.
-  /// \return ascending
+  /// All colours, ascending.
   [[nodiscard]] const std::vector<std::uint32_t>& colours() const { return colours_; }
 
  private:

@@ -76,12 +76,9 @@ Picture draw_boxes(std::span<const PictureBox> boxes, const Camera& camera, bool
 
 /// Writes a picture as gnuplot commands, to be read after a terminal has been set; objects of an
 /// earlier picture are removed, so that several pictures can be on one page (multiplot).
-/// \param picture the areas
 std::string to_gnuplot(const Picture& picture);
 
 /// Writes a picture as an SVG file.
-/// \param picture the areas
-/// \return the bytes of the file
 std::string to_svg(const Picture& picture);
 
 }  // namespace tumble

@@ -21,12 +21,10 @@ struct PictureScene {
 };
 
 /// A scene and its lamps. The more boxes there are, the fewer points a lamp has.
-/// \param boxes  all boxes
 /// \throws std::invalid_argument for a camera that Projection rejects
 [[nodiscard]] PictureScene picture_scene(std::span<const PictureBox> boxes, const Camera& camera);
 
 /// The floor y = 0 with the shadows of all boxes on it.
-/// \param scene   all boxes
 /// \param around  boxes that define the extent of the floor
 /// \return areas from the farthest to the nearest layer; they may extend beyond the picture. None
 ///         if the eye is below the floor
@@ -40,7 +38,6 @@ struct PictureFace {
 };
 
 /// The visible faces of a box, with pips and the shadows of other boxes.
-/// \param scene   all boxes
 /// \param number  an index of `scene.boxes`
 /// \return the faces; they may extend beyond the picture
 [[nodiscard]] std::vector<PictureFace> visible_faces(const PictureScene& scene, std::size_t number);

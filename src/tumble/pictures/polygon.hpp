@@ -35,7 +35,6 @@ struct HalfPlane {
 /// \param polygon  convex
 /// \param convex   counter-clockwise
 /// \param slack    [any] distance by which its edges are first moved outwards
-/// \return as above
 [[nodiscard]] Polygon clipped(const Polygon& polygon, const Polygon& convex, double slack = 0.0);
 
 /// The area of a polygon.

@@ -26,7 +26,6 @@ struct Raster {
 Raster rasterised(const Picture& picture);
 
 /// Joins two pictures side by side.
-/// \param left   a picture
 /// \param right  one of the same height
 /// \throws std::invalid_argument if their heights differ
 Raster beside(const Raster& left, const Raster& right);

@@ -16,7 +16,6 @@ namespace tumble {
 std::vector<PictureBox> picture_boxes(const World& world);
 
 /// Whether a world has a ground.
-/// \return true if so: draw the floor
 bool has_ground(const World& world);
 
 }  // namespace tumble

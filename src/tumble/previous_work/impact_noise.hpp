@@ -34,13 +34,10 @@ class ImpactNoise {
   /// \param stream  names them
   explicit ImpactNoise(const Random& stream = Random(0)) : stream_(stream) {}
 
-  /// The values of an impact.
-  /// \param name  of any impact
-  /// \return those that were set, or those of the stream
+  /// The values of an impact: those that were set, or those of the stream.
   [[nodiscard]] ImpactValues of(const ImpactName& name) const;
 
   /// Changes the values of one impact.
-  /// \param name    of the impact
   /// \param values  [-] each in [0, 1)
   void set(const ImpactName& name, const ImpactValues& values) { set_[name] = values; }
 

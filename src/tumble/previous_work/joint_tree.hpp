@@ -64,11 +64,9 @@ class JointTree {
   /// \param body_part   [N], [N m] f, by body index; then [m/s²], [rad/s²] a. Entries of immovable bodies stay
   /// \param joint_part  [m/s²] or [rad/s²] -c, by joint; then [N], [N m] λ. Entries of loops stay
   void solve(std::span<Vec6> body_part, std::span<Vec6> joint_part);
-  /// Joints that are in no tree.
-  /// \return indices, ascending
+  /// Joints that are in no tree: indices, ascending.
   [[nodiscard]] std::span<const int> loops() const { return loops_; }
-  /// Work since construction.
-  /// \return multiplications
+  /// Multiplications since construction.
   [[nodiscard]] std::int64_t multiplications() const { return multiplications_; }
   /// \return [bytes] of the factors
   [[nodiscard]] std::size_t memory() const { return links_.capacity() * sizeof(Link); }
@@ -108,13 +106,8 @@ class BodySets {
   /// \param bodies  of which those without inverse mass are immovable
   /// \param sets    storage, is overwritten
   BodySets(std::span<const MovingBody> bodies, std::vector<int>& sets);
-  /// Unites the sets of two bodies.
-  /// \param a  index
-  /// \param b  index
-  /// \return whether they were two until now
+  /// Unites the sets of two bodies; returns whether they were two until now.
   bool join(int a, int b);
-  /// \param a  index
-  /// \param b  index
   /// \return whether they are in one set
   [[nodiscard]] bool same(int a, int b) { return root_of(a) == root_of(b); }
 

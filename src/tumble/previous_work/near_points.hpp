@@ -20,7 +20,6 @@ namespace tumble {
 class NearPoints {
  public:
   /// Finds them, with the impulses that the same points had before.
-  /// \param bodies  how they move: one for each body index
   /// \param margin  [m] points up to this far apart count, at least 0
   /// \param report  pair tests are added, the deepest overlap is overwritten
   void find(const World& world, std::span<const MovingBody> bodies, double margin,
@@ -50,7 +49,6 @@ class NearPoints {
 
 /// How far apart two points may be that meet within a step, up to `tolerance::faure_reach` of the shortest edge.
 /// \param bodies  their velocities at the start of the step, by index
-/// \param dt      [s] its length
 /// \return [m] twice the way of the fastest point
 [[nodiscard]] double meeting_margin(const World& world, std::span<const MovingBody> bodies,
                                     double dt);

@@ -35,22 +35,18 @@ class NearestMotion {
 
   /// \return one for each point
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
-  /// \param i  point
   /// \return [1/kg] A_ii
   [[nodiscard]] double diagonal(std::size_t i) const { return rows_[i].yield; }
-  /// \param i  point
   /// \return b_i
   [[nodiscard]] double constant(std::size_t i) const { return rows_[i].constant; }
   /// What forces change of the motions of all points.
-  /// \param f    of the points
   /// \param out  A f, is overwritten
   void multiply(std::span<const double> f, std::span<double> out);
   /// Contacts push.
   /// \param f  in and out: at least 0
   static void allow(std::span<double> f);
 
-  /// Work since construction, as if the products were made with a full matrix A.
-  /// \return multiplications
+  /// Multiplications since construction, as if the products were made with a full matrix A.
   [[nodiscard]] std::int64_t multiplications() const { return multiplications_; }
 
  private:

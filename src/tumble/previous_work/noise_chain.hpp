@@ -31,8 +31,7 @@ enum class NoiseMove : std::uint8_t {
   nudge    ///< the values of one impact, each moved a little; 1 is 0 again
 };
 
-/// The name of a move in files.
-/// \return for example "nudge"
+/// The name of a move in files, for example "nudge".
 [[nodiscard]] constexpr std::string_view name_of(NoiseMove move) {
   if (move == NoiseMove::all) return "all";
   return move == NoiseMove::redraw ? "redraw" : "nudge";
@@ -90,7 +89,6 @@ class NoiseChain {
   [[nodiscard]] Step propose(const SimulateNoise& simulate) const;
 
   /// Goes a step.
-  /// \param step  of propose()
   /// \throws std::invalid_argument after a replay, if the motion is not the one that was replayed
   void take(Step step);
 
@@ -99,20 +97,15 @@ class NoiseChain {
   /// \throws std::invalid_argument if they cannot be of a chain
   void replay(std::span<const NoiseProposal> proposals);
 
-  /// All proposals.
-  /// \return the start first
+  /// All proposals: the start first.
   [[nodiscard]] std::span<const NoiseProposal> proposals() const { return proposals_; }
-  /// The motions that meet all wishes.
-  /// \return one for each accepted proposal without violation
+  /// The motions that meet all wishes: one for each accepted proposal without violation.
   [[nodiscard]] std::span<const FoundMotion> found() const { return found_; }
-  /// The state with the smallest violation so far; the first of several.
-  /// \return its proposal and its noise
+  /// The state with the smallest violation so far, the first of several: its proposal and its noise.
   [[nodiscard]] const FoundMotion& best() const { return best_; }
-  /// The smallest violation so far.
-  /// \return [-] infinity before the start
+  /// The smallest violation so far [-]; infinity before the start.
   [[nodiscard]] double least_violation() const { return least_; }
-  /// How many proposals were accepted, without the start.
-  /// \return at most the number of proposals
+  /// How many proposals were accepted, without the start, at most the number of proposals.
   [[nodiscard]] std::int64_t accepted() const { return accepted_; }
 
  private:

@@ -20,7 +20,6 @@ struct ImpactNoiseOptions {
 };
 
 /// Checks options.
-/// \param options  as a user gives them
 /// \throws std::invalid_argument naming the value that is out of range
 void require_valid(const ImpactNoiseOptions& options);
 
@@ -45,9 +44,6 @@ void require_valid(const ImpactNoiseOptions& options);
 class NoisyImpacts : public WrappedTechnique {
  public:
   /// Wraps a technique.
-  /// \param inner    the technique
-  /// \param noise    the values of all impacts
-  /// \param options  how much, and when
   /// \throws std::invalid_argument for no technique, or an option out of range
   NoisyImpacts(std::unique_ptr<Technique> inner, ImpactNoise noise,
                const ImpactNoiseOptions& options = {});
@@ -55,8 +51,7 @@ class NoisyImpacts : public WrappedTechnique {
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
 
-  /// The fast impacts so far.
-  /// \return their names, in the order in which they happened
+  /// The fast impacts so far: their names, in the order in which they happened.
   [[nodiscard]] std::span<const ImpactName> impacts() const { return impacts_; }
 
  private:

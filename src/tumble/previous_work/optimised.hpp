@@ -27,8 +27,6 @@ struct OptimisedOptions {
 };
 
 /// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(OptimisedOptions& o, Visitor& v) {
   v.number("reach", o.reach, 0.01, 1.0, "-",
@@ -83,7 +81,6 @@ struct OptimisedWork {
 class Optimised : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a value out of range
   explicit Optimised(const OptimisedOptions& options = {});
 
@@ -92,7 +89,6 @@ class Optimised : public Technique {
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   /// What the programs have cost so far.
-  /// \return see there
   [[nodiscard]] const OptimisedWork& work() const { return work_; }
 
  private:

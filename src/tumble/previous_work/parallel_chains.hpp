@@ -17,8 +17,6 @@ struct ChainGoal {
 };
 
 /// Whether a chain has come to its end.
-/// \param goal  when it ends
-/// \return true if there is nothing left to do
 [[nodiscard]] bool is_done(const NoiseChain& chain, const ChainGoal& goal);
 
 /// Lets chains go on until all of them have come to their ends.
@@ -26,7 +24,6 @@ struct ChainGoal {
 /// Each core takes a chain, brings it to its end and takes the next one. A chain knows nothing of the others, so the result
 /// has the same bits for any number of cores.
 /// \param chains    in and out
-/// \param goal      of each of them
 /// \param simulate  called by several threads at once
 /// \param cores     threads that simulate, at least 1; more than there are chains are not used
 /// \param stop      once it is true, no step is taken any more; `simulate` should look at it, too

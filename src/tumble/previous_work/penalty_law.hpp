@@ -43,7 +43,6 @@ double stable_step(PenaltyScheme scheme, const PenaltyLaw& law);
 double penalty_restitution(double damping, bool pull);
 
 /// The damping that gives a restitution, at most 1.
-/// \param restitution  [-] 0 to 1
 /// \param pull         whether contacts may pull
 /// \return [-] the inverse of penalty_restitution(); 1 for restitutions below those of critical damping
 double penalty_damping_for(double restitution, bool pull);

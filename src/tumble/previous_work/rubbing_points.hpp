@@ -14,7 +14,6 @@
 namespace tumble {
 
 /// Scale of the energy that impulses turn over: each push times the speed with which its point approached.
-/// \param contacts  with their impulses
 /// \return [J] the sum over all points
 double pushed_energy(std::span<const Contact> contacts);
 
@@ -35,10 +34,8 @@ class RubbingPoints {
             std::span<const double> least);
   /// \return three for each point
   [[nodiscard]] std::size_t size() const { return 3 * rows_.size(); }
-  /// \param i  unknown
   /// \return [1/kg]
   [[nodiscard]] double diagonal(std::size_t i) const { return yield_[i]; }
-  /// \param i  unknown
   /// \return [m/s] how the point would move, less what it may
   [[nodiscard]] double constant(std::size_t i) const { return constant_[i]; }
   /// What impulses change of the motions of all points.
@@ -60,8 +57,7 @@ class RubbingPoints {
   [[nodiscard]] bool lifts(double share);
   /// \return [N s] those to start from, and then the answer
   [[nodiscard]] std::vector<double>& impulses() { return impulses_; }
-  /// How long the first step from no impulses is, at least.
-  /// \return see DescentReport::step
+  /// How long the first step from no impulses is, at least; see DescentReport::step.
   [[nodiscard]] double first_step() const;
   /// Begins without impulses if those of the start have an energy above 0, and so could add some.
   void require_no_energy();

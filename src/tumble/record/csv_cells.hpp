@@ -9,7 +9,6 @@
 namespace tumble {
 
 /// A text as a cell: in quotes if it has commas, quotes or line breaks, its own quotes doubled.
-/// \param text any text
 std::string csv_cell(std::string_view text);
 
 /// Takes a row of a comma-separated table apart.

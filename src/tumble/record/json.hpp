@@ -24,22 +24,16 @@ class Json {
   /// Writes the name of the value that follows.
   Json& key(std::string_view name);
   /// Writes a field.
-  /// \param value  a number
   Json& field(std::string_view name, double value);
   /// Writes a field.
-  /// \param value  a whole number
   Json& field(std::string_view name, std::int64_t value);
   /// Writes a field.
-  /// \param value  text
   Json& field(std::string_view name, std::string_view value);
   /// Writes an item of a list.
-  /// \param value text
   Json& item(std::string_view value);
   /// Writes an item of a list.
-  /// \param value a number
   Json& item(double value);
-  /// What was written.
-  /// \return the text, with a line break at its end
+  /// What was written: the text, with a line break at its end.
   [[nodiscard]] std::string text() const { return out_ + "\n"; }
 
  private:

@@ -20,9 +20,7 @@ inline constexpr int kMostMatrixRows = 5000;
 /// `array` has all of them column by column, `coordinate` those that are not 0, as row, column (from
 /// 1) and value. Of a symmetric matrix only entries on and below the diagonal are given. Lines that
 /// begin with % and empty ones are skipped.
-/// \param text  content of the file
 /// \param file  its name, for messages
-/// \return the matrix, all of it
 /// \throws std::invalid_argument as `file:line: mistake: expected form`: another form, a line
 ///         that cannot be read, a number that is not finite, an integer beyond 2^53, an entry out of
 ///         range or given twice, too few or too many entries, more than kMostMatrixRows rows or columns
@@ -32,12 +30,10 @@ MatX parse_matrix_market(std::string_view text, std::string_view file);
 
 /// Reads a Matrix Market file.
 /// \param path where, at most 256 MiB; a pipe will do
-/// \return the matrix, all of it
 /// \throws std::invalid_argument as parse_matrix_market(), or if the file cannot be read
 MatX read_matrix_market(const std::filesystem::path& path);
 
 /// Writes a matrix as the text of a Matrix Market file: array, real, general.
-/// \param matrix   what to write
 /// \param comment  one line about it, or none
 /// \return the text; its numbers read back to the same bits
 /// \throws std::invalid_argument for an entry that is not finite, or a comment of several lines

@@ -35,22 +35,17 @@ class MetricsMeter : public Observer {
   void on_change(const World& world, double energy_added) override;
   void on_step(const World& world, const StepReport& report) override;
 
-  /// Metrics of the observed simulation.
-  /// \return after the last step; at the start if there was none
+  /// Metrics of the observed simulation after the last step; at the start if there was none.
   [[nodiscard]] const Metrics& metrics() const { return metrics_; }
 
-  /// Begins a measurement.
-  /// \param world the bodies at time 0
-  /// \return the metrics at the start
+  /// Begins a measurement; returns the metrics at the start.
   Metrics begin(const World& world);
 
   /// Leaves a change of energy out of the technique's error: bodies were added, removed or changed between steps.
   /// \param energy_added [J] by how much the total energy changed
   void allow(double energy_added) { start_energy_ += energy_added; }
 
-  /// Measures after a step.
-  /// \param report  what the step did
-  /// \return the metrics; for a world that is not finite the energies alone
+  /// Measures after a step; for a world that is not finite the energies alone.
   Metrics measure(const World& world, const StepReport& report);
 
  private:

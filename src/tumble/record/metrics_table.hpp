@@ -17,8 +17,7 @@ struct MetricsColumn {
   double (*value)(const Metrics& metrics, const StepReport& report) = nullptr;
 };
 
-/// All numbers of a step.
-/// \return in the order of the file
+/// All numbers of a step, in the order of the file.
 std::span<const MetricsColumn> metrics_columns();
 
 }  // namespace tumble

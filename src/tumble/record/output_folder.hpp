@@ -29,8 +29,7 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Where to write now.
-  /// \return the folder, or before publish() the one within it
+  /// Where to write now: the folder, or before publish() the one within it.
   [[nodiscard]] std::filesystem::path path() const;
 
   /// Removes the files of an earlier output and moves those of this one to their places. Files that are open go on

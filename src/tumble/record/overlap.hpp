@@ -31,8 +31,7 @@ class OverlapMeter {
   /// \return [m] as look() of its bodies
   double look(const World& world);
 
-  /// How deep each body is in others.
-  /// \return [m] by index as of the last look: its deepest penetration, 0 or above
+  /// How deep each body is in others [m], by index as of the last look: its deepest penetration, 0 or above.
   [[nodiscard]] std::span<const double> depths() const { return depths_; }
 
   /// Bodies that touch another one.

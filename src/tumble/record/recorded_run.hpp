@@ -35,7 +35,6 @@ struct RecordedRun {
 };
 
 /// Reads scene.toml and the trajectory of a run's folder. Numbers have the bits that were written.
-/// \param folder  of a run
 /// \param table   kTrajectoryFile for the poses as computed, kFilteredFile for those that its filter
 ///                showed
 /// \throws std::invalid_argument "FILE:LINE: KEY = VALUE: what would be right", or if one of the files
@@ -43,7 +42,6 @@ struct RecordedRun {
 RecordedRun read_run(const std::filesystem::path& folder, std::string_view table = kTrajectoryFile);
 
 /// Reads a trajectory from an open file or from memory.
-/// \param scene  of the run
 /// \param in     what the file holds, from its first line on
 /// \param name   of the file, for messages
 /// \throws std::invalid_argument as read_run() does
@@ -59,7 +57,6 @@ RecordedRun read_trajectory(Scene scene, std::istream& in, const std::string& na
 RecordedFrame frame_at(const RecordedRun& run, double time);
 
 /// The bodies of a frame as a world, at rest.
-/// \param frame  one of its frames
 /// \return the ground, if there is one, and the frame's bodies with their names
 World world_of(const RecordedRun& run, const RecordedFrame& frame);
 

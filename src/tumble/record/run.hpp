@@ -23,7 +23,6 @@ struct RunSettings {
 };
 
 /// Checks settings.
-/// \param settings  of a run
 /// \throws std::invalid_argument naming the value: dt as require_time_step() refuses it, duration below 0, every below 1,
 ///         10^12 steps or more
 void require_valid(const RunSettings& settings);
@@ -60,12 +59,9 @@ class RunObserver {
   virtual ~RunObserver() = default;
 
   /// The run begins.
-  /// \param world the bodies at time 0
   virtual void on_begin(const World& world) { (void)world; }
   /// A step is complete.
-  /// \param world      the bodies after it
   /// \param technique  to read its contacts
-  /// \param report     status, counts and booked energy
   /// \param metrics    energies, overlap and chatter after it
   virtual void on_step(const World& world, const Technique& technique, const StepReport& report,
                        const Metrics& metrics) {
@@ -79,7 +75,6 @@ class RunObserver {
   virtual void on_finding(const std::string& message) { (void)message; }
   /// A collision was resolved.
   /// \param world  the bodies during the step, to read their names
-  /// \param event  its time, place and impulse
   virtual void on_event(const World& world, const Event& event) {
     (void)world;
     (void)event;
@@ -102,23 +97,17 @@ RunResult run_simulation(Simulation& simulation, const RunSettings& settings,
                          const std::function<bool()>& stop = {});
 
 /// run_simulation() of a scene.
-/// \param scene      the start
 /// \param technique  no step done yet
-/// \param settings   step, duration
-/// \param observers  called in this order
-/// \param stop       called before every step; true ends the run as interrupted
 /// \throws std::invalid_argument for settings out of range, or if the technique refuses the first step
 /// \throws CannotWrite from an observer that writes; the technique has no observer then, as after every run
 RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings& settings,
                     std::span<RunObserver* const> observers,
                     const std::function<bool()>& stop = {});
 
-/// The name of a step's status in files.
-/// \return for example "event_cap"
+/// The name of a step's status in files, for example "event_cap".
 std::string_view name_of(StepStatus status);
 
-/// The name of a run's end in files.
-/// \return for example "interrupted"
+/// The name of a run's end in files, for example "interrupted".
 std::string_view name_of(RunEnd end);
 
 }  // namespace tumble

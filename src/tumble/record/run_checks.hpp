@@ -12,8 +12,7 @@ namespace tumble {
 /// A check of every step of a run.
 class RunCheck : public Observer {
  public:
-  /// Verdict on the last step.
-  /// \return StepStatus::done, or the fault
+  /// Verdict on the last step: StepStatus::done, or the fault.
   [[nodiscard]] StepStatus status() const { return status_; }
 
   /// Message about the first fault: step, time, body, value, and a remedy if there is one.
@@ -22,8 +21,6 @@ class RunCheck : public Observer {
 
  protected:
   /// Keeps the message about the first fault.
-  /// \param world  the bodies after the step
-  /// \param what   the fault
   void find(const World& world, const std::string& what);
 
   StepStatus status_ = StepStatus::done;  ///< the verdict on the last step

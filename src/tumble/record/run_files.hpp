@@ -47,7 +47,6 @@ class RunFiles : public RunObserver {
   void on_event(const World& world, const Event& event) override;
 
   /// Writes summary.json and the remaining rows of the tables.
-  /// \param result outcome of the run
   /// \throws CannotWrite if something cannot be written
   void finish(const RunResult& result);
 
@@ -61,8 +60,7 @@ class RunFiles : public RunObserver {
   /// \return the filter's message about the frame that it refused; empty if it refused none
   [[nodiscard]] std::string filter_refusal() const;
 
-  /// Folder for further files of the run.
-  /// \return see OutputFolder::path()
+  /// Folder for further files of the run; see OutputFolder::path().
   [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
 
  private:

@@ -34,7 +34,6 @@ class SceneSampler {
                const ImpactNoiseOptions& noise);
 
   /// The motion of some noise. Several threads may call it at once.
-  /// \param noise  of its impacts
   /// \param stop   ends it unfinished; may be empty
   /// \return its impacts and its violation
   /// \throws std::invalid_argument if the technique refuses the scene
@@ -42,8 +41,6 @@ class SceneSampler {
                                    const std::function<bool()>& stop = {}) const;
 
   /// Runs the motion of some noise as run_simulation() does.
-  /// \param noise      of its impacts
-  /// \param observers  called in this order
   /// \throws std::invalid_argument as run_scene() does
   RunResult run(const ImpactNoise& noise, std::span<RunObserver* const> observers) const;
 

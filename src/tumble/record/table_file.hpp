@@ -45,19 +45,13 @@ class TableFile {
 
   /// Adds a cell: the shortest digits that read back to the same bits.
   /// \param value a number; every NaN is `nan`, whatever its sign
-  /// \return this, for the next cell
   TableFile& cell(double value);
   /// Adds a cell.
-  /// \param value a whole number
-  /// \return this, for the next cell
   TableFile& cell(std::int64_t value);
   /// Adds a cell.
   /// \param value text; put in quotes where CSV asks for it
-  /// \return this, for the next cell
   TableFile& cell(std::string_view value);
   /// Adds three cells.
-  /// \param value x, y, z
-  /// \return this, for the next cell
   TableFile& cell(const Vec3& value);
   /// Ends the row.
   /// \throws CannotWrite if a block of rows could not be written

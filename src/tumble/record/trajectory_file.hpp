@@ -36,7 +36,6 @@ class TrajectoryFile {
   /// \param name                of the body
   /// \param pose                for the position and the orientation alone
   /// \param velocity_w          [m/s] of the centre of mass, world frame
-  /// \param angular_velocity_w  [rad/s] world frame
   /// \throws CannotWrite if a block of rows could not be written
   void write(double time, std::string_view name, const BodyState& pose, const Vec3& velocity_w,
              const Vec3& angular_velocity_w);
@@ -71,8 +70,7 @@ class FilteredTrajectoryFile {
   /// \throws CannotWrite if something could not be written
   void finish();
 
-  /// How many frames are in the table.
-  /// \return up to now, the start included
+  /// How many frames are in the table up to now, the start included.
   [[nodiscard]] std::int64_t frames() const { return frames_; }
 
   /// Why the table ends before the run does.

@@ -24,8 +24,7 @@ struct SceneRecipe {
   Scene (*build)(const Parameters& parameters, Random random);
 };
 
-/// All built-in scenes.
-/// \return in the order in which `tumble scenes` lists them
+/// All built-in scenes, in the order in which `tumble scenes` lists them.
 const std::vector<SceneRecipe>& scene_library();
 
 /// One built-in scene.

@@ -9,10 +9,7 @@
 namespace tumble {
 
 /// The message about a text that is not TOML.
-/// \param file  its name
 /// \param line  from 1
-/// \param why   the reason
-/// \return one line
 std::string not_toml(std::string_view file, std::size_t line, const std::string& why);
 
 /// Refuses texts that the TOML library does not survive: keys of more than 64 dots, whose tables it walks through by
@@ -20,8 +17,6 @@ std::string not_toml(std::string_view file, std::size_t line, const std::string&
 /// comments, and after a backslash, where it looks for blanks. It takes quotes in what begins like a number for a part
 /// of the number, so these are refused, too. All other mistakes are left to the library. A string without an end lasts to
 /// the end of its line or of the text.
-/// \param text  the TOML text
-/// \param file  its name, for the message
 /// \throws std::invalid_argument with file, line and reason
 /// \par Cost
 /// One pass over the text.

@@ -69,7 +69,6 @@ void build_pyramid(int rows, double spacing, Scene& scene);
 void build_clump(int per_edge, double spacing, Random random, Scene& scene);
 
 /// A movable box that is at rest and upright.
-/// \param name        its name; may be empty
 /// \param size        [m] full edge lengths
 /// \param position_w  [m] its centre
 /// \param mass        [kg]
@@ -88,17 +87,12 @@ SceneBox fixed_at(std::string_view name, const Vec3& size, const Vec3& position_
 void add_surface(Parameters& p, double friction, double restitution);
 
 /// Gives all boxes the settings `friction` and `restitution`.
-/// \param p      has them
-/// \param scene  its boxes get them
 void set_surfaces(const Parameters& p, Scene& scene);
 
 /// The same, and puts the scene on such a ground.
-/// \param p      has the settings
-/// \param scene  its boxes get them
 void add_bouncing_ground(const Parameters& p, Scene& scene);
 
 /// Puts a scene on the ground, with one friction everywhere.
-/// \param p      has the setting `friction`
 /// \param scene  its boxes get that friction too
 void add_ground(const Parameters& p, Scene& scene);
 

@@ -49,8 +49,6 @@ struct Scene {
 };
 
 /// The constant part of a box.
-/// \param box  as a scene has it
-/// \return its properties
 /// \throws std::invalid_argument naming the value that is out of range
 BodyProperties properties_of(const SceneBox& box);
 
@@ -65,14 +63,11 @@ class SceneMistake : public std::invalid_argument {
   SceneMistake(int box, std::string key, const std::string& message,
                std::string_view table = "box");
 
-  /// The box, or other table.
-  /// \return its place in the scene, from 0; -1 if it is about the scene
+  /// The box, or other table: its place in the scene, from 0; -1 if it is about the scene.
   [[nodiscard]] int box() const { return box_; }
-  /// What it is about, unless it is about the scene.
-  /// \return the key of a table in scene files
+  /// What it is about, unless it is about the scene: the key of a table in scene files.
   [[nodiscard]] const std::string& table() const { return table_; }
-  /// The wrong key.
-  /// \return of scene files; may be empty
+  /// The wrong key of scene files; may be empty.
   [[nodiscard]] const std::string& key() const { return key_; }
 
  private:
@@ -101,20 +96,17 @@ std::string_view message_of(const std::invalid_argument& error);
 World start_world(Scene& scene);
 
 /// Checks a scene and names its boxes.
-/// \param scene  as start_world() takes it
 /// \return the same scene, each box with a name
 /// \throws SceneMistake as start_world() does
 Scene checked(Scene scene);
 
 /// Checks a scene and builds its world.
-/// \param scene  as start_world() takes it
 /// \return the world at time 0
 /// \throws SceneMistake as start_world() does
 World build_world(const Scene& scene);
 
 /// Adds a box in its initial state.
 /// \param box    of a scene that is checked
-/// \param world  gets it
 /// \throws std::invalid_argument as World::add(), so if its name is taken by now
 void add_box(const SceneBox& box, World& world);
 
@@ -131,7 +123,6 @@ double due_until(double time, double dt);
 /// \param scene  the scene that the world was built from
 /// \param from   [s] `until` of the last call; 0 at first
 /// \param until  [s] due_until() now
-/// \param world  in and out
 /// \throws std::invalid_argument if a name is taken by now
 void update_boxes(const Scene& scene, double from, double until, World& world);
 

@@ -12,6 +12,9 @@
 namespace tumble {
 
 /// A table of a scene file: its values, and refusals that point at the line of a key.
+///
+/// What reads a value returns whether there is one, leaves `out` alone if not, and throws std::invalid_argument for a value of
+/// another kind.
 class SceneTable {
  public:
   virtual ~SceneTable() = default;
@@ -22,40 +25,20 @@ class SceneTable {
   /// \throws std::invalid_argument "FILE:LINE: KEY = VALUE: wanted"
   [[noreturn]] virtual void refuse(std::string_view key, const std::string& wanted) const = 0;
   /// Refuses any other key.
-  /// \param known  the keys of the format
   /// \throws std::invalid_argument as refuse()
   virtual void only(std::initializer_list<std::string_view> known) const = 0;
 
   /// Reads a number.
-  /// \param out  the value; left alone if there is none
-  /// \return whether there is one
-  /// \throws std::invalid_argument for another value
   virtual bool number(std::string_view key, double& out) const = 0;
   /// Reads three numbers.
-  /// \param key  their name
-  /// \param out  the values; left alone if there are none
-  /// \return whether there are any
-  /// \throws std::invalid_argument for another value
   virtual bool vector(std::string_view key, Vec3& out) const = 0;
   /// Reads a quaternion, w first.
-  /// \param out  the value; left alone if there is none
-  /// \return whether there is one
-  /// \throws std::invalid_argument for another value
   virtual bool quaternion(std::string_view key, Quat& out) const = 0;
   /// Reads a text.
-  /// \param out  the value; left alone if there is none
-  /// \return whether there is one
-  /// \throws std::invalid_argument for another value
   virtual bool text(std::string_view key, std::string& out) const = 0;
   /// Reads a text or a list of texts.
-  /// \param out  the values; left alone if there are none
-  /// \return whether there are any
-  /// \throws std::invalid_argument for another value
   virtual bool texts(std::string_view key, std::vector<std::string>& out) const = 0;
   /// Reads true or false.
-  /// \param out  the value; left alone if there is none
-  /// \return whether there is one
-  /// \throws std::invalid_argument for anything else
   virtual bool flag(std::string_view key, bool& out) const = 0;
 };
 

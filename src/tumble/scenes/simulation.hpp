@@ -31,13 +31,11 @@ void require_time_step(double dt);
 class Simulation {
  public:
   /// Begins at time 0 with a technique of its own.
-  /// \param scene      the start
   /// \param technique  not null, and no step done yet
   /// \throws SceneMistake as checked() does
   Simulation(Scene scene, std::unique_ptr<Technique> technique);
 
   /// Begins at time 0 with a technique of the library.
-  /// \param scene      the start
   /// \param technique  its name (`tumble techniques`)
   /// \param settings   its options that differ from their defaults, each as key=value
   /// \param seed       random seed of the technique
@@ -47,7 +45,6 @@ class Simulation {
                       const std::vector<std::string>& settings = {}, std::uint64_t seed = 1);
 
   /// Begins at time 0 with a technique that the caller owns.
-  /// \param scene      the start
   /// \param technique  no step done yet; has to live as long as the simulation
   /// \throws SceneMistake as checked() does
   Simulation(Scene scene, Technique& technique);

@@ -45,7 +45,6 @@ struct Wish {
 
 /// The distance of a wish that a body moves or stays.
 /// \param wish  with a distance, or 0
-/// \param box   the body
 /// \return [m] that of the wish, or its default for this body
 [[nodiscard]] double distance_of(const Wish& wish, const SceneBox& box);
 
@@ -70,10 +69,7 @@ struct Wish {
 /// \verified{Each kind of wish is met on one side of its limit and not on the other}
 [[nodiscard]] double violation(const Wish& wish, const Scene& scene, const World& world);
 
-/// The violation of all wishes of a scene.
-/// \param scene  the start and the wishes
-/// \param world  the end
-/// \return [-] their sum
+/// The violation of all wishes of a scene [-]: their sum.
 [[nodiscard]] double violation(const Scene& scene, const World& world);
 
 /// Checks wishes, and refuses impossible ones: an unknown body, a region that is empty or too low for its body, a fixed body

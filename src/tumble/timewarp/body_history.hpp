@@ -29,12 +29,10 @@ struct Milestone {
 class BodyHistory {
  public:
   /// Starts a new history.
-  /// \param milestone  its first milestone
   void begin(const Milestone& milestone);
 
   /// Appends a milestone, whose time becomes the local time.
   /// \param milestone  not before the local time
-  /// \param gravity_w  [m/s²] world frame
   void add(const Milestone& milestone, const BodyProperties& body, const Vec3& gravity_w);
 
   /// Sets the local time back. Milestones stay.
@@ -52,20 +50,16 @@ class BodyHistory {
   /// \param by  [s] subtracted from all times
   void shift(double by);
 
-  /// Bounds of the trajectory from the first milestone to the local time; updated by measure().
-  /// \return world frame
+  /// Bounds of the trajectory from the first milestone to the local time; updated by measure(). World frame.
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
 
   /// Recomputes the bounds.
-  /// \param gravity_w  [m/s²] world frame
   void measure(const BodyProperties& body, const Vec3& gravity_w);
 
-  /// The local time, until which the trajectory is known.
-  /// \return [s]; infinite for a body that cannot move
+  /// The local time, until which the trajectory is known [s]; infinite for a body that cannot move.
   [[nodiscard]] double known_until() const { return known_until_; }
 
-  /// All milestones.
-  /// \return in order of time; at least one
+  /// All milestones, in order of time; at least one.
   [[nodiscard]] std::span<const Milestone> milestones() const { return milestones_; }
 
   /// The milestone from which the body flies at a time.
@@ -80,9 +74,7 @@ class BodyHistory {
 };
 
 /// Bounds of a body's flight from a milestone.
-/// \param milestone  where it begins
 /// \param until      [s] its end
-/// \param gravity_w  [m/s²] world frame
 /// \return world frame
 [[nodiscard]] Bounds bounds_from(const Milestone& milestone, double until,
                                  const BodyProperties& body, const Vec3& gravity_w);

@@ -32,7 +32,6 @@ struct ForeseenCollision {
 class CollisionHeap {
  public:
   /// Empties the queue.
-  /// \param bodies  number of bodies
   void reset(int bodies);
 
   /// Adds a collision.
@@ -45,16 +44,13 @@ class CollisionHeap {
   /// Whether the queue is empty.
   [[nodiscard]] bool empty() const { return heap_.empty(); }
 
-  /// The earliest collision.
-  /// \return it; the queue must not be empty
+  /// The earliest collision; the queue must not be empty.
   [[nodiscard]] const ForeseenCollision& first() const { return heap_.front().collision; }
 
-  /// Removes the earliest collision.
-  /// \return it; the queue must not be empty
+  /// Removes and returns the earliest collision; the queue must not be empty.
   ForeseenCollision remove_first();
 
-  /// All predicted collisions, for observers.
-  /// \return earliest first. Allocates
+  /// All predicted collisions, for observers, earliest first. Allocates.
   [[nodiscard]] std::vector<ForeseenCollision> entries() const;
 
  private:

@@ -39,7 +39,6 @@ struct ContactRule {
 class ContactStage {
  public:
   /// Makes an empty stage.
-  /// \param rule  conditions for entering it
   /// \throws std::invalid_argument for a resolution not above 0 or less than one event
   explicit ContactStage(const ContactRule& rule);
 
@@ -47,19 +46,15 @@ class ContactStage {
   void begin();
 
   /// Counts a collision and decides whether its pair enters the stage.
-  /// \param pair              the colliding bodies
   /// \param separation_speed  [m/s] after the collision, at the slowest point with an impulse
   /// \param gravity           [m/s²]
   /// \return whether the pair is in the stage
   bool count(const IndexPair& pair, double separation_speed, double gravity);
 
   /// Puts a pair into the stage.
-  /// \param pair  two indices
   void defer(const IndexPair& pair);
 
-  /// Whether a pair is in the stage.
-  /// \param pair  two indices
-  /// \return true: do not search it
+  /// Whether a pair is in the stage; true: do not search it.
   [[nodiscard]] bool holds(const IndexPair& pair) const;
 
   /// Takes a body's pairs out of the stage, as an impact has moved it.
@@ -75,11 +70,9 @@ class ContactStage {
                       std::span<const MovingBody> before, double dt);
 
   /// Number of entries into the stage in this frame.
-  /// \return from 0
   [[nodiscard]] int entered() const { return entered_; }
 
-  /// The pairs in the stage.
-  /// \return sorted; valid until the next call of this function
+  /// The pairs in the stage, sorted; valid until the next call of this function.
   [[nodiscard]] std::span<const IndexPair> pairs();
 
  private:

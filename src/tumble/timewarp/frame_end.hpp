@@ -34,7 +34,6 @@ class FrameEnd {
 
   /// Ends a frame.
   /// \param world       bodies at its end; in and out
-  /// \param dt          [s] its length
   /// \param resolution  [s] of the search for collisions
   /// \param held        deferred pairs, sorted, each once
   /// \param report      gets counts, energy and the deepest overlap

@@ -42,7 +42,6 @@ struct InstantReport {
                                   const MovingBody& after);
 
 /// Whether an impact is negligible, as resting bodies have them in every frame.
-/// \param event  the impact
 /// \param time   [s] above 0
 /// \return true if its impulse moves each body in that time by at most tolerance::rounding_overlap
 ///         times the body's size

@@ -39,7 +39,6 @@ void describe(TimewarpOptions& o, Visitor& v) {
 }
 
 /// Checks the length of a step.
-/// \param dt       [s]
 /// \param options  the resolution must be above the rounding of times up to the longest flight
 /// \param steps    [-] number of steps in the longest flight
 /// \throws std::invalid_argument for a dt that is not above 0; StepRefused for a resolution too small for it
@@ -91,7 +90,6 @@ class TimewarpWatcher {
 class TimewarpFrame {
  public:
   /// Makes the frame.
-  /// \param method  which pairs are searched, and how
   /// \throws std::invalid_argument for an option out of range
   TimewarpFrame(const TimewarpOptions& options, SearchMethod method);
   /// A copy with options only; no other state is kept from frame to frame.
@@ -99,7 +97,6 @@ class TimewarpFrame {
 
   /// Starts a frame.
   /// \param world     all bodies; kept until finish()
-  /// \param dt        [s] its length
   /// \param observer  receives the collisions; may be nullptr
   /// \throws std::invalid_argument for a dt that is not above 0
   void begin(World& world, double dt, Observer* observer);
@@ -109,17 +106,14 @@ class TimewarpFrame {
   std::vector<double> valid_times;  ///< [s] since the start of the frame
   StepReport report;                ///< of this frame
 
-  /// Whether a body is movable.
-  /// \return false: it is neither integrated nor invalidated
+  /// Whether a body is movable; false: it is neither integrated nor invalidated.
   [[nodiscard]] bool movable(int body) const;
 
   /// Integrates a body in free flight: integrateForward.
-  /// \param state  in and out
   /// \param time   [s] duration
   void integrate_forward(BodyState& state, int body, double time);
 
   /// Finds the collisions of all pairs: findAllCollisions.
-  /// \param heap  receives them
   void find_all_collisions(CollisionHeap& heap);
 
   /// Finds the collisions of some bodies, each pair once: addCollisionsForObject.
@@ -150,8 +144,7 @@ class TimewarpFrame {
   /// frame. The valid states must be those at its end.
   void finish();
 
-  /// The contact points of this frame, each at the time of its collision.
-  /// \return valid until the next frame
+  /// The contact points of this frame, each at the time of its collision; valid until the next frame.
   [[nodiscard]] std::span<const ContactRecord> contacts() const { return records_; }
 
   /// Passes the present state to a watcher.

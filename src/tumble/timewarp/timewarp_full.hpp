@@ -90,8 +90,7 @@ class TimewarpFull final : public Technique {
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
 
-  /// Counts of rollbacks.
-  /// \return counts since it was made
+  /// Counts of rollbacks since it was made.
   [[nodiscard]] const TimewarpWork& work() const { return work_; }
 
   /// The history of a body after the last step.

@@ -31,8 +31,6 @@ class TimewarpSafer final : public SynchronisedTimewarp {
 
   [[nodiscard]] std::string_view name() const override { return "timewarp_safer"; }
   /// Advances the world.
-  /// \param world  all bodies; in and out
-  /// \param dt     [s] above 0
   /// \return the report; `restarts` counts the collisions put back for an earlier one
   /// \throws std::invalid_argument for a dt that is not finite and above 0
   StepReport step(World& world, double dt) override;

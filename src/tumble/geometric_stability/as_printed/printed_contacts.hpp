@@ -24,7 +24,6 @@ struct PrintedContact {
 /// All contact points, the lowest first; of equals, the one that comes first in the list.
 /// \param world     the bodies; their present poses decide which of two is the upper one
 /// \param contacts  contacts when they were gathered
-/// \return one for each point
 /// \throws std::invalid_argument for a contact of an unknown body
 [[nodiscard]] std::vector<PrintedContact> sort_contact_points_ascending(
     const World& world, std::span<const Contact> contacts);

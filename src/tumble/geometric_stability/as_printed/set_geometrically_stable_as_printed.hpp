@@ -37,7 +37,6 @@ struct PrintedStabilityRepairs {
 /// the second. In line 13 the contact is asked for its body (G1; the listing asks the body). Corners
 /// are those of the lowest face. Comparisons are exact (G8).
 /// \param contacts  contacts when they were gathered
-/// \param repairs   the errata that are mended
 /// \param bodies    one for each body index; in and out
 /// \throws std::invalid_argument if there is not one entry for each body, or for a contact of an unknown
 ///         body

@@ -38,11 +38,9 @@ struct DampenReport {
 /// (DM13). STANDARD_GRAVITY adds g Δt to the velocity that bodies move with, although line 3 of
 /// DAMPEDINTEGRATION has done so already (D5). The box is turned about its centre (DM14). Old poses
 /// are those right before line 22.
-/// \param world     the bodies; states in and out
 /// \param touched   by index: whether the body has had a contact interaction. When that is forgotten
 ///                  again is not said (DM5): it is the caller's
 /// \param numbers   ε and k
-/// \param dt        [s] above 0
 /// \param repaired  the errata that are mended. D5, DM1 to DM4, DM13 and DM16 make a difference
 /// \throws std::invalid_argument if there is not one flag for each body, or for a dt not above 0
 /// \algorithm{DAMPENOBJECTS as printed: appendix A.2}

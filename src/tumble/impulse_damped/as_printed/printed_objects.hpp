@@ -65,22 +65,18 @@ class PrintedObjects {
 
   /// integrateObjectPositions of the listings, \f$x + \Delta t\,(v + a)\f$.
   /// \param world    poses in and out; momenta are not touched
-  /// \param dt       [s] above 0
   /// \param ahead_w  [m/s] a: 0 or what gravity will add in the step
   /// \return how many bodies were moved
   int integrate_positions(World& world, double dt, const Vec3& ahead_w, RotationRule rule);
 
   /// revertToOriginalPositions of the listings. RC4: positions, as the name has it; mended, the
   /// orientations as well.
-  /// \param world poses in and out
   void revert_to_original_positions(World& world) const;
 
   /// Ends a stage: momenta of bodies that were changed go into the world.
-  /// \param world momenta in and out
   void end(World& world) const;
 
-  /// The objects.
-  /// \return one for each body index
+  /// The objects: one for each body index.
   [[nodiscard]] std::span<PrintedObject> all() { return objects_; }
 
  private:

@@ -85,7 +85,6 @@ class PrintedQueries {
 
   /// Starts a frame.
   /// \param world     all bodies; kept until fix_interpenetration()
-  /// \param dt        [s] its length
   /// \param observer  receives the collisions; may be nullptr
   /// \throws std::invalid_argument for a dt that is not above 0
   void begin(World& world, double dt, Observer* observer);
@@ -95,12 +94,10 @@ class PrintedQueries {
   std::vector<double> valid_times;  ///< [s] validTimes, since the start of the frame
   StepReport report;                ///< of this frame
 
-  /// Whether the lines that stamp a body apply to this one.
-  /// \return as printed always (T10); mended, if it is movable
+  /// Whether the lines that stamp a body apply to this one: as printed always (T10); mended, if it is movable.
   [[nodiscard]] bool stamped(int body) const;
 
   /// integrateForward.
-  /// \param state  in and out
   /// \param time   [s] duration; may be negative
   void integrate_forward(BodyState& state, int body, double time);
 
@@ -138,8 +135,7 @@ class PrintedQueries {
   /// fixInterpenetration. Also ends the frame, and resolves the pairs in the contact stage (T6 mended).
   void fix_interpenetration();
 
-  /// The contact points of this frame, each at the time of its collision.
-  /// \return valid until the next frame
+  /// The contact points of this frame, each at the time of its collision; valid until the next frame.
   [[nodiscard]] std::span<const ContactRecord> contacts() const { return records_; }
 
  private:

@@ -52,8 +52,7 @@ class TimewarpAsPrinted final : public Technique {
   ///         event a pair
   explicit TimewarpAsPrinted(const TimewarpAsPrintedOptions& options = {});
 
-  /// The name of the form as meant.
-  /// \return "timewarp_simple" or "timewarp_safer"
+  /// The name of the form as meant: "timewarp_simple" or "timewarp_safer".
   [[nodiscard]] std::string_view name() const override;
   StepReport step(World& world, double dt) override;
   [[nodiscard]] std::unique_ptr<Technique> clone() const override;
@@ -69,8 +68,7 @@ class TimewarpAsPrinted final : public Technique {
   /// \return by index; valid until the next step
   [[nodiscard]] std::span<const BodyState> test_states() const { return test_states_; }
 
-  /// Passes of the main loop in the last frame.
-  /// \return [-] from 0 to the cap
+  /// Passes of the main loop in the last frame [-]: from 0 to the cap.
   [[nodiscard]] int passes() const { return passes_; }
 
  private:
