@@ -6,7 +6,7 @@
 
 namespace tumble {
 
-/// Whether two vectors of fixed size have the same bits: -0 is not 0, and what is no number equals itself.
+/// Whether two vectors of fixed size have the same bits: -0 differs from 0, and a NaN equals itself.
 /// \return true if whatever is computed from the one is the same from the other
 template <class Vector>
 [[nodiscard]] bool same_bits(const Vector& a, const Vector& b) {
