@@ -238,8 +238,7 @@ void sweep_quiet_island(const Island& island, const IslandEffort& effort, Island
   const double negligible = negligible_residual(island);
   plan.method = IslandMethod::sweep_then_direct;
   plan.max_sweeps = swept_within(island, effort, tolerance::loose_sweeps);
-  plan.residual = tolerance::solved_residual_exact * negligible;
-  plan.skipped_residual = tolerance::solved_residual_exact * negligible;
+  plan.residual = plan.skipped_residual = tolerance::solved_residual * negligible;
   plan.fair_residual = tolerance::fair_quiet_residual * negligible / tolerance::contact_settled;
 }
 

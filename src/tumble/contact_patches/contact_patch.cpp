@@ -242,7 +242,8 @@ void set_targets(double slop, double dt, ContactPatch& patch) {
   bool all_touch = true;
   // [S6.3.1:targets]
   for (ContactPatchPoint& p : patch.used()) {
-    p.target = is_apart(p.gap, slop) ? -(p.gap - slop) / dt : 0.0;
+    const double reach = p.impulse > 0.0 ? tolerance::kept_touch * slop : slop;
+    p.target = is_apart(p.gap, reach) ? -(p.gap - slop) / dt : 0.0;
     all_touch = all_touch && p.target == 0.0;
   }
   // [S6.3.1:targets]

@@ -8,6 +8,10 @@ namespace tumble::tolerance {
 /// not seen and far above rounding. (6.3.1)
 inline constexpr double contact_slop = 1e-5;
 
+/// [-] Multiple of the slop up to which a point that pushes goes on touching. Reason: where overlap is repaired, other corners of the
+/// box rise by less. As long as they opened and fell back, heaps did not come to rest. (4.4)
+inline constexpr double kept_touch = 1.1;
+
 /// [-] Share of the slop that targets of points may be off from those of the one motion that replaces them. Reason: with a
 /// whole slop a patch that rests on some points would move in every step in a way that they do not ask for. (6.3.1)
 inline constexpr double planar_targets = 0.01;
