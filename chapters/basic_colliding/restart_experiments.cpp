@@ -35,8 +35,15 @@ class CarefulSearch {
                         .rule = RotationRule::frozen};
     shown_.clear();
     hidden_.clear();
+    ends_.clear();
+    for (std::size_t k = 0; k < world.bodies().size(); ++k)
+      ends_.push_back(state_at(flight, static_cast<int>(k), dt));
+    const auto gap_at_end = [&](const IndexPair& pair) {
+      return gap_between(world.bodies()[idx(pair.first)], ends_[idx(pair.first)],
+                         world.bodies()[idx(pair.second)], ends_[idx(pair.second)]);
+    };
     for (const IndexPair& pair : near_.find(world, dt))
-      (gap_at(flight, pair, dt).distance < 0.0 ? shown_ : hidden_).push_back(pair);
+      (gap_at_end(pair).distance < 0.0 ? shown_ : hidden_).push_back(pair);
 
     double first = dt;
     for (const IndexPair& pair : shown_) {
@@ -57,6 +64,7 @@ class CarefulSearch {
 
  private:
   NearPairs near_;
+  std::vector<BodyState> ends_;    // of all bodies, at the end of the step
   std::vector<IndexPair> shown_;   // overlapping at the end of the step
   std::vector<IndexPair> hidden_;  // apart then
 };

@@ -3,6 +3,7 @@
 #include "tumble/dynamics/event_search.hpp"
 
 #include "tumble/base/error.hpp"
+#include "tumble/base/index.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -10,6 +11,8 @@
 
 namespace tumble {
 namespace {
+
+constexpr double kRounding = 1e-9;  // [-] of a distance: far above it
 
 void require_pair(const IndexPair& pair, std::size_t bodies) {
   const bool good =
@@ -31,6 +34,8 @@ const FirstEvent& EventSearch::find(const Flight& flight, std::span<const IndexP
   event_.touching.clear();
   event_.overlapping_at_start.clear();
   event_.pair_tests = event_.evaluations = event_.restarts = 0;
+  states_.resize(flight.bodies.size());
+  times_.assign(flight.bodies.size(), std::numeric_limits<double>::quiet_NaN());
 
   sort_out_overlaps(flight, candidates, start, options);
   if (options.method == SearchMethod::discrete)
@@ -42,7 +47,33 @@ const FirstEvent& EventSearch::find(const Flight& flight, std::span<const IndexP
 
 double EventSearch::gap(const Flight& flight, const IndexPair& pair, double time) {
   ++event_.pair_tests;
-  return gap_at(flight, pair, time).distance;
+  return gap_between(flight.bodies[idx(pair.first)], state(flight, pair.first, time),
+                     flight.bodies[idx(pair.second)], state(flight, pair.second, time))
+      .distance;
+}
+
+// Boxes whose balls are apart are so too.
+bool EventSearch::overlap(const Flight& flight, const IndexPair& pair, double time) {
+  const BodyProperties& a = flight.bodies[idx(pair.first)];
+  const BodyProperties& b = flight.bodies[idx(pair.second)];
+  if (a.shape == Shape::box && b.shape == Shape::box) {
+    const Vec3 between_w =
+        state(flight, pair.second, time).position_w - state(flight, pair.first, time).position_w;
+    const double reach = 0.5 * (1.0 + kRounding) * (a.size.norm() + b.size.norm());
+    if (between_w.squaredNorm() > reach * reach) {
+      ++event_.pair_tests;
+      return false;
+    }
+  }
+  return gap(flight, pair, time) < 0.0;
+}
+
+const BodyState& EventSearch::state(const Flight& flight, int body, double time) {
+  if (times_[idx(body)] != time) {
+    times_[idx(body)] = time;
+    states_[idx(body)] = state_at(flight, body, time);
+  }
+  return states_[idx(body)];
 }
 
 // Pairs that overlap to begin with are a class of their own. The others are searched, in the order
@@ -71,7 +102,7 @@ void EventSearch::sort_out_overlaps(const Flight& flight, std::span<const IndexP
 const IndexPair* EventSearch::first_overlap(const Flight& flight, double time,
                                             const IndexPair* except) {
   for (const IndexPair& pair : apart_)
-    if (&pair != except && gap(flight, pair, time) < 0.0) return &pair;
+    if (&pair != except && overlap(flight, pair, time)) return &pair;
   return nullptr;
 }
 
@@ -115,7 +146,7 @@ void EventSearch::search_discretely(const Flight& flight, double start, double e
   // Ties.
   const double last = std::min(end, event_.time + options.resolution);
   for (const IndexPair& pair : apart_)
-    if (&pair == current || gap(flight, pair, last) < 0.0) event_.touching.push_back(pair);
+    if (&pair == current || overlap(flight, pair, last)) event_.touching.push_back(pair);
 }
 
 void EventSearch::search_conservatively(const Flight& flight, double start, double end,

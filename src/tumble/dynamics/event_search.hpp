@@ -79,6 +79,8 @@ class EventSearch {
   void sort_out_overlaps(const Flight& flight, std::span<const IndexPair> candidates, double start,
                          const SearchOptions& options);
   double gap(const Flight& flight, const IndexPair& pair, double time);
+  bool overlap(const Flight& flight, const IndexPair& pair, double time);
+  const BodyState& state(const Flight& flight, int body, double time);
   void search_discretely(const Flight& flight, double start, double end,
                          const SearchOptions& options);
   const IndexPair* first_overlap(const Flight& flight, double time, const IndexPair* except);
@@ -88,6 +90,9 @@ class EventSearch {
   FirstEvent event_;
   std::vector<IndexPair> apart_;  // the candidates that are apart at the start, sorted
   std::vector<Candidate> found_;  // conservative: every collision found
+  // Where bodies are at the time that was last asked for, which is asked for again for all their pairs.
+  std::vector<BodyState> states_;
+  std::vector<double> times_;
 };
 
 }  // namespace tumble

@@ -37,7 +37,6 @@ Bounds widened(const Bounds& b, double part) {
 void BoundingTree::search(std::span<const Bounds> bounds, std::vector<IndexPair>& out) {
   update(bounds);
   pair_leaves();
-  for (const IndexPair& pair : near_) test(bounds, pair.first, pair.second, out);
   // Bodies outside the tree against all; of two of them the one with the lower index tests.
   const int n = static_cast<int>(bounds.size());
   for (const int a : outside_) {
@@ -46,6 +45,8 @@ void BoundingTree::search(std::span<const Bounds> bounds, std::vector<IndexPair>
       if (!done_by_other) test(bounds, a, b, out);
     }
   }
+  // After the ground, which is the first body of most worlds: then nothing is left to sort.
+  for (const IndexPair& pair : near_) test(bounds, pair.first, pair.second, out);
 }
 
 void BoundingTree::update(std::span<const Bounds> bounds) {

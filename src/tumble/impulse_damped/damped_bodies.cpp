@@ -3,6 +3,7 @@
 #include "tumble/impulse_damped/damped_bodies.hpp"
 
 #include "tumble/base/index.hpp"
+#include "tumble/base/same_bits.hpp"
 #include "tumble/contact/tolerances.hpp"
 
 #include <cmath>
@@ -12,6 +13,7 @@ namespace tumble {
 void DampedBodies::load(const World& world, std::span<const char> firmly) {
   load_moving_bodies(world, moving);
   predicted.assign(world.states().begin(), world.states().end());
+  moved_with_.assign(moving.size(), Motion{});
   axes_w.clear();
   for (const BodyState& state : predicted)
     axes_w.push_back(state.orientation_wb.toRotationMatrix());
@@ -20,11 +22,26 @@ void DampedBodies::load(const World& world, std::span<const char> firmly) {
   for (std::size_t k = 0; k < moving.size(); ++k) set_ease(world, static_cast<int>(k));
 }
 
+bool DampedBodies::Motion::same_bits(const Motion& other) const {
+  return any == other.any && changed == other.changed && dt == other.dt && rule == other.rule &&
+         tumble::same_bits(velocity_w, other.velocity_w) &&
+         tumble::same_bits(angular_velocity_w, other.angular_velocity_w);
+}
+
 int DampedBodies::predict(const World& world, double dt, RotationRule rule) {
   int advanced = 0;
   for (std::size_t k = 0; k < moving.size(); ++k) {
     const BodyProperties& body = world.bodies()[k];
     if (!body.movable() || world.sleep_states()[k].asleep) continue;
+    ++advanced;
+    const Motion with{.any = true,
+                      .changed = moving[k].changed,
+                      .dt = dt,
+                      .velocity_w = moving[k].velocity_w,
+                      .angular_velocity_w = moving[k].angular_velocity_w,
+                      .rule = rule};
+    if (with.same_bits(moved_with_[k])) continue;
+    moved_with_[k] = with;
     BodyState& state = predicted[k];
     state = world.states()[k];
     if (moving[k].changed) {
@@ -34,7 +51,6 @@ int DampedBodies::predict(const World& world, double dt, RotationRule rule) {
     state.linear_momentum_w += dt * body.mass * world.gravity_w;
     advance_pose(body, state, dt, rule);
     moving[k].position_w = state.position_w;
-    ++advanced;
   }
   return advanced;
 }

@@ -28,7 +28,7 @@ struct DampedBodies {
   void load(const World& world, std::span<const char> firmly);
 
   /// integrateObjectPositions(Δt, VELOCITY_PLUS_GRAVITY): where bodies come to with the velocities
-  /// that they have and the gravity of one step.
+  /// that they have and the gravity of one step. What has the velocity of the pass before is there.
   /// \param world  the bodies at the step's start
   /// \return how many bodies were advanced
   int predict(const World& world, double dt, RotationRule rule);
@@ -44,6 +44,19 @@ struct DampedBodies {
   /// Makes a body easy to move as it is by itself, or, if it is stable, sideways and about the
   /// vertical only: an upright box that cannot sink, rise or tip.
   void set_ease(const World& world, int body);
+
+ private:
+  // By index: with what predict() has moved it, since load().
+  struct Motion {
+    bool any = false;  // whether it has
+    bool changed = false;
+    double dt = 0.0;
+    Vec3 velocity_w, angular_velocity_w;
+    RotationRule rule{};
+
+    [[nodiscard]] bool same_bits(const Motion& other) const;
+  };
+  std::vector<Motion> moved_with_;
 };
 
 /// The kinetic energy of a body in a stage, \f$\tfrac12 m v^2 + \tfrac12 \omega\cdot I\omega\f$.

@@ -4,6 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
+#include "tumble/base/same_bits.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/geometry/overlap_normals.hpp"
@@ -11,9 +12,19 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace tumble {
 namespace {
+
+bool same_pose(const BodyState& a, const BodyState& b) {
+  return a.position_w == b.position_w && a.orientation_wb.coeffs() == b.orientation_wb.coeffs();
+}
+
+bool unmoved(const BodyState& a, const BodyState& b) {
+  return same_bits(a.position_w, b.position_w) &&
+         same_bits(a.orientation_wb.coeffs(), b.orientation_wb.coeffs());
+}
 
 // The centre of the points that overlap, each weighted by its depth; of all, if they only touch.
 void reduce_to_one(double size, Contact& contact) {
@@ -55,22 +66,12 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
                 "states: one entry for each body of the world is needed");
   require::not_negative(margin, "margin");
   if (normals_ == NormalRule::last_face) remember(bodies, last);
-  boxes_.resize(bodies.size());
-  bounds_.resize(bodies.size());
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const double around = 0.5 * margin + tolerance::rounding_overlap * bodies[k].size.maxCoeff();
-    if (bodies[k].shape != Shape::box) {
-      bounds_[k] = bounds_of(bodies[k], now[k], around);
-      continue;
-    }
-    boxes_[k] = box_of(bodies[k], now[k]);
-    bounds_[k] = bounds_of(boxes_[k], around);
-  }
-  broad_phase_.find_pairs(bounds_, pairs_);
+  if (place_boxes(bodies, now, margin)) broad_phase_.find_pairs(bounds_, pairs_);
 
   out.clear();
   PairReport report;
-  Manifold manifold;
+  searched_.clear();
+  std::size_t next = 0;  // of the last search
   for (const IndexPair& pair : pairs_) {
     const BodyProperties& a = bodies[idx(pair.first)];
     const BodyProperties& b = bodies[idx(pair.second)];
@@ -80,29 +81,66 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
     if (!a.movable() && !b.movable()) continue;
     ++report.pair_tests;
 
-    if (!touch_pair(world, pair, boxes_[idx(pair.first)], boxes_[idx(pair.second)], margin, kNoAxis,
-                    manifold))
-      continue;
+    // What the last search found of a pair holds as long as both bodies are where they were.
+    while (next < before_.size() && before_[next].pair < pair) ++next;
+    const bool known = next < before_.size() && before_[next].pair == pair &&
+                       moved_[idx(pair.first)] == 0 && moved_[idx(pair.second)] == 0;
+    searched_.push_back(known ? before_[next] : Searched{pair, false, {}});
+    Searched& search = searched_.back();
+    if (!known && touch_pair(world, pair, boxes_[idx(pair.first)], boxes_[idx(pair.second)], margin,
+                             kNoAxis, search.manifold)) {
+      search.touch = true;
+      if (a.shape == Shape::box && b.shape == Shape::box)
+        turn_normal(pair, margin, search.manifold);
+    }
+    if (!search.touch) continue;
     Contact& contact = out.emplace_back(contact_of(world, pair));
-    if (a.shape == Shape::box && b.shape == Shape::box)
-      turn_normal(pair, margin, manifold, contact);
-    else
-      set_points(manifold, contact);
+    contact.axis = search.manifold.axis;
+    set_points(search.manifold, contact);
     for (int p = 0; p < contact.count; ++p)
       report.deepest_overlap = std::max(report.deepest_overlap, -contact.points[idx(p)].distance);
     if (points_ == PointRule::one) reduce_to_one(shortest_edge(a, b), contact);
   }
+  std::swap(searched_, before_);
   return report;
+}
+
+// Boxes and bounds of bodies that are not where they were in the last search. Returns whether there are any.
+bool PairGatherer::place_boxes(std::span<const BodyProperties> bodies,
+                               std::span<const BodyState> now, double margin) {
+  bool any = false;
+  const bool other = now_.size() != now.size() || margin != margin_;
+  if (other) before_.clear();
+  margin_ = margin;
+  now_.resize(now.size());
+  sizes_.resize(now.size());
+  boxes_.resize(now.size());
+  bounds_.resize(now.size());
+  moved_.assign(now.size(), 0);
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    if (!other && unmoved(now[k], now_[k]) && sizes_[k] == bodies[k].size) continue;
+    moved_[k] = 1;
+    any = true;
+    now_[k] = now[k];
+    sizes_[k] = bodies[k].size;
+    const double around = 0.5 * margin + tolerance::rounding_overlap * bodies[k].size.maxCoeff();
+    if (bodies[k].shape != Shape::box) {
+      bounds_[k] = bounds_of(bodies[k], now[k], around);
+      continue;
+    }
+    boxes_[k] = box_of(bodies[k], now[k]);
+    bounds_[k] = bounds_of(boxes_[k], around);
+  }
+  return any || other;
 }
 
 void PairGatherer::remember(std::span<const BodyProperties> bodies,
                             std::span<const BodyState> last) {
   bool same = last_.size() == last.size();
   for (std::size_t k = 0; same && k < last.size(); ++k)
-    same = last_[k].position_w == last[k].position_w &&
-           last_[k].orientation_wb.coeffs() == last[k].orientation_wb.coeffs() &&
-           last_sizes_[k] == bodies[k].size;
+    same = same_pose(last_[k], last[k]) && last_sizes_[k] == bodies[k].size;
   if (same) return;
+  before_.clear();  // its normals are those of other faces
   last_.assign(last.begin(), last.end());
   last_faces_.clear();
   last_sizes_.clear();
@@ -129,8 +167,7 @@ const PairGatherer::LastFace& PairGatherer::last_face(const IndexPair& pair) {
 
 // [S3.3.2:normal]
 // The normal of two boxes that touch by the rule, and where they touch along it.
-void PairGatherer::turn_normal(const IndexPair& pair, double margin, Manifold& manifold,
-                               Contact& contact) {
+void PairGatherer::turn_normal(const IndexPair& pair, double margin, Manifold& manifold) {
   const Box& first = boxes_[idx(pair.first)];
   const Box& second = boxes_[idx(pair.second)];
   Separation found{0.0, manifold.normal_w, manifold.axis};
@@ -156,9 +193,8 @@ void PairGatherer::turn_normal(const IndexPair& pair, double margin, Manifold& m
     find_manifold(first, second, found, margin, manifold);
     if (manifold.count == 0) manifold = exact;
   }
-  set_points(manifold, contact);
-  contact.normal_w = found.normal_w;
-  contact.axis = found.axis;
+  manifold.normal_w = found.normal_w;
+  manifold.axis = found.axis;
 }
 // [S3.3.2:normal]
 

@@ -45,7 +45,8 @@ struct PairReport {
 /// if all just touch). The thesis leaves it open: a corner would make every box that lands flat spin, and
 /// the unweighted centre would jump where a corner separates.
 ///
-/// Only storage is kept from step to step: the closest face is found once for all passes of a step.
+/// Only storage is kept from step to step: the closest face is found once for all passes of a step, and a pair of which
+/// neither body has moved since the pass before is not tested again.
 /// \par Cost and determinism
 /// A broad phase and a test for each near pair; six more axes for `last_face` and 52 points for
 /// `signed_distance`. No allocation once the storage is warm. The list is sorted by ids.
@@ -81,9 +82,18 @@ class PairGatherer {
     double side = 1.0;  // [-] of the other box: along the axis, or -1 against it
   };
 
+  // What the last search found of a pair that is near.
+  struct Searched {
+    IndexPair pair;
+    bool touch = false;
+    Manifold manifold;
+  };
+
+  bool place_boxes(std::span<const BodyProperties> bodies, std::span<const BodyState> now,
+                   double margin);
   void remember(std::span<const BodyProperties> bodies, std::span<const BodyState> last);
   const LastFace& last_face(const IndexPair& pair);
-  void turn_normal(const IndexPair& pair, double margin, Manifold& manifold, Contact& contact);
+  void turn_normal(const IndexPair& pair, double margin, Manifold& manifold);
 
   NormalRule normals_;
   PointRule points_;
@@ -91,6 +101,13 @@ class PairGatherer {
   std::vector<Box> boxes_;  // by body, now; that of the ground is not used
   std::vector<Bounds> bounds_;
   std::vector<IndexPair> pairs_;
+  // Of the last search. A pass of a step moves few bodies, so most pairs are as they were.
+  std::vector<BodyState> now_;
+  std::vector<Vec3> sizes_;
+  std::vector<char> moved_;         // since the search before
+  std::vector<Searched> before_;    // sorted by pair
+  std::vector<Searched> searched_;  // ditto, of the search that is going on
+  double margin_ = 0.0;             // [m]
   // Of the start of the step, which all passes of a step share: found again if any pose or size has changed.
   std::vector<BodyState> last_;
   std::vector<Vec3> last_sizes_;

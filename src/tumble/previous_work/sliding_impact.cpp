@@ -6,6 +6,7 @@
 #include "tumble/previous_work/tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +16,7 @@ namespace {
 using Slip = Eigen::Vector2d;  // across the normal
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr std::array<double, 4> kStages{0.0, 0.5, 0.5, 1.0};  // of Runge and Kutta's step
 constexpr int kMostSteps = 10000;   // of the integration; then the direction is kept
 constexpr int kMostHalvings = 200;  // far above the digits of a double
 
@@ -212,10 +214,9 @@ Moment Course::stepped(double length) const {
   const auto on = [&](const Moment& rate, double share) -> Moment {
     return {now_.impulse + share * length * rate.impulse, now_.work + share * length * rate.work};
   };
-  const Moment a = rate_at(now_);
-  const Moment b = rate_at(on(a, 0.5));
-  const Moment c = rate_at(on(b, 0.5));
-  const Moment d = rate_at(on(c, 1.0));
+  std::array<Moment, 4> at;
+  for (std::size_t k = 0; k < 4; ++k) at[k] = rate_at(k == 0 ? now_ : on(at[k - 1], kStages[k]));
+  const auto& [a, b, c, d] = at;
   const Moment mean{(a.impulse + 2.0 * (b.impulse + c.impulse) + d.impulse) / 6.0,
                     (a.work + 2.0 * (b.work + c.work) + d.work) / 6.0};
   return on(mean, 1.0);

@@ -105,11 +105,9 @@ bool BaraffAsPrintedSolver::fdirection(const MatX& A, int d, LcpResult& result) 
   for (int i = 0; i < static_cast<int>(set_.size()); ++i)
     if (set_[idx(i)] == Set::C) C_.push_back(i);
   const int size = static_cast<int>(C_.size());
-  for (int row = 0; row < size; ++row) {
-    for (int column = 0; column < size; ++column)
-      system_(row, column) = A(C_[idx(row)], C_[idx(column)]);
-    system_(row, size) = -A(C_[idx(row)], d);
-  }
+  for (int column = 0; column < size; ++column)
+    for (int row = 0; row < size; ++row) system_(row, column) = A(C_[idx(row)], C_[idx(column)]);
+  for (int row = 0; row < size; ++row) system_(row, size) = -A(C_[idx(row)], d);
   if (!eliminate(result)) return false;
 
   std::fill(df_.begin(), df_.end(), 0.0);
@@ -146,10 +144,11 @@ bool BaraffAsPrintedSolver::eliminate(LcpResult& result) {
     if (system_(pivot, k) == 0.0) return false;
     for (int column = k; column <= size; ++column)
       std::swap(system_(k, column), system_(pivot, column));
-    for (int row = k + 1; row < size; ++row) {
-      const double share = system_(row, k) / system_(k, k);
-      for (int column = k + 1; column <= size; ++column)
-        system_(row, column) -= share * system_(k, column);
+    // Column by column, as they are stored.
+    for (int row = k + 1; row < size; ++row) system_(row, k) /= system_(k, k);
+    for (int column = k + 1; column <= size; ++column) {
+      const double head = system_(k, column);
+      for (int row = k + 1; row < size; ++row) system_(row, column) -= system_(row, k) * head;
     }
     result.multiplications += std::int64_t{size - k - 1} * (size - k + 1);
   }
