@@ -143,7 +143,7 @@ double overlap_of_sinking(const Island& island) {
     const Six u = motion_of(patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
     for (const ContactPatchPoint& p : patch.used()) {
       const double way = island.dt * (p.target - velocity_at(p.along, p.across, u).z());
-      if (way > tolerance::sinking * patch.size)
+      if (way > tolerance::sinking_that_counts * patch.size)
         deepest = std::max(deepest, (way + std::max(0.0, -p.gap)) / patch.size);
     }
   }

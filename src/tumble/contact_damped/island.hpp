@@ -119,7 +119,7 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 /// \return [-] the deepest, as a share of the shortest edge of its pair
 [[nodiscard]] double deepest_sinking(const Island& island);
 
-/// How deep the points of an island that sink by more than tolerance::sinking in the step will be: that, and the overlap
+/// How deep the points of an island that sink by more than tolerance::sinking_that_counts in the step will be: that, and the overlap
 /// that is there.
 /// \param island  with velocities `now`
 /// \return [-] the deepest, as a share of the shortest edge of its pair

@@ -195,7 +195,7 @@ inline constexpr int newton_step_sweeps = 10;
 
 /// [-] Way by which bodies sink into each other in a step, as a share of the shortest edge, from which on that counts. Reason:
 /// overlap from before is there although nothing sinks. (6.3.1)
-inline constexpr double sinking = 1e-3;
+inline constexpr double sinking_that_counts = 1e-3;
 
 /// [-] Sweeps over such an island end below this share of g dt. Reason: a tenth of what ADMM may leave in a fast one. (6.3.1)
 inline constexpr double loose_residual = 0.01;
