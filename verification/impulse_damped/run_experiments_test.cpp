@@ -76,10 +76,10 @@ TEST_CASE("Cubes that fly together settle, and some still chatter", "[claims][im
 
 TEST_CASE("With the damping of as_reported figures 6.6 and 6.7 end without faults, with ours not",
           "[claims][impulse_damped][.long]") {
-  const FigureUnderTest figure("as_reported_6_1");
+  const FigureUnderTest figure("as_reported_6_1", {"seeds=4", "duration=10"});
   for (const char* what : {"chatter in the end", "kinetic energy in the end"})
-    CHECK(figure.number(std::string(what) + ", figure 6.6, as_reported, median") <
-          0.5 * figure.number(std::string(what) + ", figure 6.6, as_meant, median"));
+    CHECK(figure.number(std::string(what) + ", figure 6.6, as_reported, largest") <
+          0.5 * figure.number(std::string(what) + ", figure 6.6, as_meant, largest"));
   CHECK(figure.number("the same, as_reported") > 3.0);
   CHECK(
       figure.number("sayings of four that hold at the end of figures 6.6 and 6.7: no overlap above "
