@@ -82,7 +82,7 @@ TEST_CASE("A deck of cards stands whose cards are thinner than what gravity move
 
 TEST_CASE("Three of four heaps of a thousand cubes come to rest, and cost fewer sweeps then",
           "[.long][unit][contact_damped]") {
-  // In that of seed 3 a tower of ten goes on swaying by millimetres.
+  // In that of seed 3 a tower of ten goes on swaying.
   for (const std::uint64_t seed : {1U, 2U, 4U}) {
     CAPTURE(seed);
     Simulation simulation(make_scene("clump", {"per_edge=10"}, seed));
@@ -94,7 +94,7 @@ TEST_CASE("Three of four heaps of a thousand cubes come to rest, and cost fewer 
       CHECK(report.pivots == 0);  // the direct solver was not used
       impulses += report.impulses;
     }
-    CHECK(impulses <
-          std::int64_t{60} * 12 * 2100);  // a sweep is an impulse in each of 2100 patches
+    // A sweep is an impulse in each of 2100 patches. In motion a step makes 24 of them.
+    CHECK(impulses < std::int64_t{60} * 16 * 2100);
   }
 }
