@@ -67,7 +67,8 @@ struct ContactDampedOptions {
 ///
 /// **A step**, as step() does it, for each of its parts. It has one, unless boxes that move against each other by half an edge
 /// or more meet (time_to_fast_meeting()), a body that may touch another turns by more than a radian, an impact makes one turn
-/// so far that it would sink into another, a bounce sends a body on towards another (time_to_first_bounce()), or ContactDampedOptions::parts asks for more:
+/// so far that it would sink into another, a bounce sends a body on towards another (time_to_first_bounce()), or
+/// ContactDampedOptions::parts asks for more:
 /// 1. Velocities get their share of gravity.
 /// 2. Contact patches are found at the start of the step, where bodies touch or will within it, and kept while
 ///    their bodies rest (PersistentManifolds). They are grouped by islands (IslandOrder).

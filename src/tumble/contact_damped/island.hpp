@@ -119,8 +119,8 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 /// \return [-] the deepest, as a share of the shortest edge of its pair
 [[nodiscard]] double deepest_sinking(const Island& island);
 
-/// How deep the points of an island that sink by more than tolerance::sinking_that_counts in the step will be: that, and the overlap
-/// that is there.
+/// How deep the points of an island that sink by more than tolerance::sinking_that_counts in the step will be: that, and the
+/// overlap that is there.
 /// \param island  with velocities `now`
 /// \return [-] the deepest, as a share of the shortest edge of its pair
 [[nodiscard]] double overlap_of_sinking(const Island& island);

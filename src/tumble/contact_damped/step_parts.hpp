@@ -16,7 +16,7 @@ namespace tumble {
 inline constexpr int kMostMeetings = 100;
 
 /// [-] Halvings of a part in which bodies sink into each other by turning, at most. Reason: of 5000 boxes that are thrown to the
-/// ground with up to 40 m/s and 170 rad/s 18 % sank by more than a tenth of an edge, and with three halvings none. (3.2)
+/// ground with up to 40 m/s and 170 rad/s 18 % sank by more than a tenth of an edge, and with four halvings none. (3.2)
 inline constexpr int kMostHalvings = 4;
 
 /// Into how many parts a step is divided, if an option allows it, where bodies that touch move far into each other, or

@@ -17,10 +17,6 @@
 namespace tumble {
 namespace {
 
-bool same_pose(const BodyState& a, const BodyState& b) {
-  return a.position_w == b.position_w && a.orientation_wb.coeffs() == b.orientation_wb.coeffs();
-}
-
 bool unmoved(const BodyState& a, const BodyState& b) {
   return same_bits(a.position_w, b.position_w) &&
          same_bits(a.orientation_wb.coeffs(), b.orientation_wb.coeffs());
@@ -138,7 +134,7 @@ void PairGatherer::remember(std::span<const BodyProperties> bodies,
                             std::span<const BodyState> last) {
   bool same = last_.size() == last.size();
   for (std::size_t k = 0; same && k < last.size(); ++k)
-    same = same_pose(last_[k], last[k]) && last_sizes_[k] == bodies[k].size;
+    same = unmoved(last_[k], last[k]) && last_sizes_[k] == bodies[k].size;
   if (same) return;
   before_.clear();  // its normals are those of other faces
   last_.assign(last.begin(), last.end());
