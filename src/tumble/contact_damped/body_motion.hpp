@@ -18,18 +18,14 @@ struct BodyMotion {
 
 /// Moves a body: along its parabola if it is in flight, else with its velocity at the end of the step. One that turns by more
 /// than tolerance::turn_at_once does so in parts, since no rule of rotation keeps its energy at once.
-/// \param motion  how bodies move
 /// \param k       its index, a movable body
 /// \param turn    [rad] by which it turns
 /// \param world   its constant part and gravity
 /// \param state   its pose at the start of the step, its momenta at the end; in and out
-/// \return the parts
 int move_by_itself(const BodyMotion& motion, int k, double turn, const World& world,
                    BodyState& state);
 
 /// Where a body would be at the end of the step by itself.
-/// \param motion  how bodies move
-/// \param k       its index
 /// \param end     its velocities at the end of the step
 /// \param world   with its pose at the start of the step
 /// \return its state then; an immovable body's as it is

@@ -13,17 +13,14 @@ inline constexpr int kMostBounces = 20;
 /// at which boxes count as touching. (4.3)
 inline constexpr double kSimultaneous = 1e-3;
 
-/// The slowest approach that bounces; slower ones stick.
-/// \param gravity  [m/s^2] its magnitude
+/// The slowest approach [m/s] that bounces; slower ones stick.
 /// \param size     [m] shortest edge
 /// \param dt       [s] of the whole step
-/// \return [m/s]
 [[nodiscard]] double slowest_bounce(double gravity, double size, double dt);
 
 /// Whether a patch was hit: one of its points has an impulse and approached fast.
 /// \param patch    after its impulses were found
 /// \param slowest  [m/s] slowest_bounce()
-/// \return true if so
 [[nodiscard]] bool was_hit(const ContactPatch& patch, double slowest);
 
 /// The time at which a bounce sends a body into another one that it does not touch yet. All impacts of a step bounce at its end at

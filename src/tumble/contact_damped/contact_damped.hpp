@@ -21,6 +21,7 @@
 #include "tumble/contact/pivot_update.hpp"
 #include "tumble/contact/sleeping.hpp"
 #include "tumble/contact_damped/island.hpp"
+#include "tumble/contact_damped/island_acceleration.hpp"
 #include "tumble/contact_damped/island_order.hpp"
 #include "tumble/contact_damped/island_plan.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
@@ -112,11 +113,9 @@ struct ContactDampedOptions {
 class ContactDamped : public Technique {
  public:
   /// Makes the technique.
-  /// \param options see there
   /// \throws std::invalid_argument for a count out of range
   explicit ContactDamped(const ContactDampedOptions& options = {});
   /// A copy with all memory.
-  /// \param other the original
   ContactDamped(const ContactDamped& other) = default;
   ContactDamped& operator=(const ContactDamped&) = delete;
   ~ContactDamped() override = default;
@@ -166,6 +165,7 @@ class ContactDamped : public Technique {
         impulses_before_bounce;                  // by patch: impulses before something bounced
     KeptSolution kept;                           // of an island, while raised targets are tried
     KeptSolution swept;                          // ditto, while the direct solver is
+    IslandAcceleration acceleration;             // of sweeps over one
     std::vector<MovingBody> held;                // velocities with friction alone
     PivotUpdate pivots;                          // bodies that are moved together
     std::vector<MovingBody> displacements;       // of the overlap correction

@@ -8,8 +8,6 @@
 namespace tumble {
 
 /// Names the options to a visitor, see options.hpp.
-/// \param o  the options
-/// \param v  an OptionDeclarer or OptionReader
 template <class Visitor>
 void describe(ContactDampedOptions& o, Visitor& v) {
   v.whole("sweeps", o.sweeps, 1, 1000,

@@ -22,7 +22,8 @@ bool overlaps_by(const ContactPatch& patch, double share) {
 
 bool overlaps(const ContactPatch& patch) { return overlaps_by(patch, tolerance::repair_start); }
 
-// Sweeps of the overlap correction, from the ground up.
+// Sweeps of the overlap correction, from the ground up. Overlap goes until nothing is left: where a share of the slop was left,
+// some bodies of a heap crept past it in each step, and their repair disturbed others.
 void correct_island(const Island& island, int sweeps, std::span<OverlapCorrection> corrections,
                     std::vector<MovingBody>& displacements) {
   for (const int contact : island.upward) {
@@ -39,12 +40,9 @@ void correct_island(const Island& island, int sweeps, std::span<OverlapCorrectio
       MovingBody& first_body = displacements[idx(patch.first)];
       MovingBody& second_body = displacements[idx(patch.second)];
       // Most patches neither overlap nor have a neighbour that does.
-      if (!first_body.changed && !second_body.changed &&
-          !overlaps_by(patch, tolerance::repair_rest))
-        continue;
-      const double change =
-          correct_overlap(patch, tolerance::repair_rest * patch.size, tolerance::repair_share,
-                          corrections[idx(contact)], first_body, second_body);
+      if (!first_body.changed && !second_body.changed && !overlaps_by(patch, 0.0)) continue;
+      const double change = correct_overlap(patch, tolerance::repair_share,
+                                            corrections[idx(contact)], first_body, second_body);
       most = std::max(most, change / patch.size);
     }
     if (k == 0) first = most;

@@ -28,21 +28,16 @@ struct Island {
   int levels = 0;                    ///< of support, see IslandOrder::levels()
 };
 
-/// The shortest edge of a body in an island's patches.
-/// \param island  with a patch at least
-/// \return [m]
+/// The shortest edge [m] of a body in an island's patches.
 [[nodiscard]] double shortest_edge(const Island& island);
 
 /// The speed that gravity gives in a step, or what stands for it where there is none.
-/// \param gravity  [m/s^2] its magnitude
 /// \param size     [m] shortest edge
-/// \param dt       [s] of the step
 /// \return [m/s] see tolerance::weightless_speed
 [[nodiscard]] double gravity_in_step(double gravity, double size, double dt);
 
 /// The residual that counts as none: a share of the speed that gravity gives in a step, or without gravity of
 /// the shortest edge in a step.
-/// \param island  with a patch at least
 /// \return [m/s] see tolerance::contact_settled
 [[nodiscard]] double negligible_residual(const Island& island);
 
@@ -60,28 +55,18 @@ struct SpeedRange {
 };
 
 /// How fast an island moves.
-/// \param island  with a patch at least
-/// \return see there
 [[nodiscard]] SpeedRange speed_range(const Island& island);
 
-/// Whether no patch of an island moves, neither before the step nor with the impulses so far.
-/// \param island  with a patch at least
-/// \return true if all are slower than tolerance::moving_speed both times
+/// Whether all patches of an island are slower than tolerance::moving_speed, before the step and with the impulses so far.
 [[nodiscard]] bool hardly_moves(const Island& island);
 
-/// The patches of an island whose bodies move against each other before the step.
-/// \param island  with a patch at least
-/// \return how many are faster than tolerance::moving_speed
+/// How many patches of an island are faster than tolerance::moving_speed before the step.
 [[nodiscard]] std::int64_t moving_patches(const Island& island);
 
 /// Whether an island is large and moves fast: its contacts change in the next step, so nothing is solved far.
-/// \param island  the island
-/// \return true if so
 [[nodiscard]] bool is_large_and_fast(const Island& island);
 
 /// Whether an island has at most tolerance::small_island bodies.
-/// \param island  the island
-/// \return true if so
 [[nodiscard]] bool is_small(const Island& island);
 
 /// Notes how fast the points of an island approach before it is solved.
@@ -99,11 +84,8 @@ enum class SweepOrder : std::uint8_t {
 };
 
 /// One Gauss-Seidel sweep: solve_patch() for all patches of an island.
-/// \param island            the island
-/// \param order             of the patches
 /// \param patch_iterations  of friction and pressure in turn within a patch; 0: only what sticks is solved
 /// \param residual          [m/s] at which a patch is skipped, see solve_patch()
-/// \param report            counts it
 /// \return [m/s] the largest change of a velocity, or error of a patch that was left, see solve_patch()
 double sweep(const Island& island, SweepOrder order, int patch_iterations, double residual,
              StepReport& report);
@@ -130,7 +112,6 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 void velocities_from_impulses(const Island& island);
 
 /// Copies the bodies of an island's patches, the immovable ones too.
-/// \param island  the island
 /// \param from    by body index
 /// \param to      by body index; those of other islands stay as they are
 void copy_bodies(const Island& island, std::span<const MovingBody> from,
@@ -142,7 +123,6 @@ void discard_impulses(const Island& island);
 
 /// The share of the impulses so far with which the kinetic energy is not above that of `free`. Those of a solver that has
 /// not converged may add some.
-/// \param island  the island
 /// \return [-] 1 if all of them add none
 [[nodiscard]] double share_without_gain(const Island& island);
 
@@ -150,12 +130,9 @@ void discard_impulses(const Island& island);
 class KeptSolution {
  public:
   /// Keeps those of now.
-  /// \param island     the island
   /// \param in_flight  by body index: whether a body flies its parabola
   void keep(const Island& island, std::span<const char> in_flight);
   /// Goes back to them.
-  /// \param island     the same one
-  /// \param in_flight  in and out
   void restore(const Island& island, std::span<char> in_flight) const;
 
  private:
@@ -174,7 +151,6 @@ class KeptSolution {
 /// they do not. The energy is a parabola in the scale, and at 0 it is that of `free`.
 /// \param island  impulses and velocities in and out
 /// \param share   share_without_gain()
-/// \param report  counts it, if it had to
 void limit_energy(const Island& island, double share, StepReport& report);
 
 /// Energy guard of restitution, after bodies have moved. Newton's law at several points may ask for more energy
@@ -185,7 +161,6 @@ void limit_energy(const Island& island, double share, StepReport& report);
 /// \param island    with the bounce; impulses and velocities in and out
 /// \param before    velocities before the bounce, with which bodies have moved, by body index
 /// \param impulses  of all patches then, by their index
-/// \param report    counts it, if it had to
 void limit_bounce(const Island& island, std::span<const MovingBody> before,
                   std::span<const PatchImpulses> impulses, StepReport& report);
 

@@ -20,24 +20,16 @@ namespace tumble {
 class IslandOrder {
  public:
   /// Finds islands and order, if the pairs, the number of bodies or gravity have changed.
-  /// \param world    the bodies
-  /// \param patches  those of the step
-  /// \param pairs    indices of their bodies
   void update(const World& world, std::span<const ContactPatch> patches,
               std::span<const IndexPair> pairs);
 
-  /// The islands.
-  /// \return their "contacts" are places of patches
+  /// The islands; their "contacts" are places of patches.
   [[nodiscard]] const Islands& islands() const { return islands_; }
 
-  /// The patches of an island from the ground up.
-  /// \param island from 0
-  /// \return places of patches
+  /// The places of an island's patches, from the ground up.
   [[nodiscard]] std::span<const int> upward(int island) const;
 
-  /// How high an island is.
-  /// \param island from 0
-  /// \return the highest level of a body in it, the ground's being 0
+  /// How high an island is: the highest level of a body in it, the ground's being 0.
   [[nodiscard]] int levels(int island) const { return levels_[static_cast<std::size_t>(island)]; }
 
  private:

@@ -13,8 +13,6 @@
 namespace tumble::island_math {
 
 /// Velocity and angular velocity in one vector.
-/// \param body  a body
-/// \return [m/s], [rad/s] world frame
 inline Vec6 velocities_of(const MovingBody& body) {
   Vec6 v;
   v << body.velocity_w, body.angular_velocity_w;
@@ -22,7 +20,6 @@ inline Vec6 velocities_of(const MovingBody& body) {
 }
 
 /// Motion of a patch's middle as a point of one of its bodies.
-/// \param frame_w  of the patch
 /// \param arm_w    [m] from the body's centre to the middle
 /// \param v        [m/s], [rad/s] of the body
 /// \return in the patch's frame
@@ -33,7 +30,6 @@ inline Six motion_of(const Mat3& frame_w, const Vec3& arm_w, const Vec6& v) {
 }
 
 /// Linear and angular impulse at a body's centre from an impulse at a patch's middle.
-/// \param frame_w  of the patch
 /// \param arm_w    [m] from the body's centre to the middle
 /// \param impulse  [N s], [N m s] in the patch's frame
 /// \return [N s], [N m s] world frame
@@ -45,7 +41,6 @@ inline Vec6 wrench_of(const Mat3& frame_w, const Vec3& arm_w, const Six& impulse
 }
 
 /// Raises a maximum. A NaN stays, so that it is not taken for converged.
-/// \param value  candidate
 /// \param most   in and out
 inline void raise(double value, double& most) {
   if (value > most || std::isnan(value)) most = value;

@@ -236,7 +236,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
 
 void sweep_quiet_island(const Island& island, const IslandEffort& effort, IslandPlan& plan) {
   const double negligible = negligible_residual(island);
-  plan.method = IslandMethod::sweep_then_direct;
+  plan.method = IslandMethod::accelerate_then_direct;
   plan.max_sweeps = swept_within(island, effort, tolerance::loose_sweeps);
   plan.residual = plan.skipped_residual = tolerance::solved_residual * negligible;
   plan.fair_residual = tolerance::fair_quiet_residual * negligible / tolerance::contact_settled;

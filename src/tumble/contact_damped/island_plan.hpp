@@ -32,8 +32,9 @@ enum class IslandMethod : std::uint8_t {
   settled,               ///< nothing: it is solved
   sweep,                 ///< more sweeps
   sweep_unless_sinking,  ///< more sweeps; the direct solver where bodies sink deeply, if that leaves less
-  sweep_then_direct,  ///< more sweeps, then the direct solver if they were not enough
-  direct_then_sweep   ///< the direct solver, or more sweeps if it does not accept the island
+  sweep_then_direct,       ///< more sweeps, then the direct solver if they were not enough
+  accelerate_then_direct,  ///< ditto, with the sweeps accelerated
+  direct_then_sweep        ///< the direct solver, or more sweeps if it does not accept the island
 };
 
 /// What has found the impulses of an island.
@@ -68,44 +69,29 @@ struct IslandPlan {
 /// patch as a whole, not of its points, and would lead away from it.
 /// \param island              after warm_start()
 /// \param direct_last_step    whether the direct solver was used for it in the step before
-/// \param report              counts sweeps
-/// \return what they found
 FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport& report);
 
 /// Whether sweeps have to do for an island: in a large one much of which moves, contacts change before weight gets through all
 /// of it; and where anything moves, it costs no more than its budget. A small one much of which moves is swept if there are many
 /// such.
 /// \param island  with the impulses so far
-/// \param speed   of it
-/// \param effort  the work that is allowed
-/// \return true if so
 [[nodiscard]] bool has_to_be_swept(const Island& island, const SpeedRange& speed,
                                    const IslandEffort& effort);
 
 /// Whether Newton steps for the normal impulses of an island exceed the budget.
-/// \param island  the island
-/// \param effort  the work that is allowed
-/// \return true if so
 [[nodiscard]] bool normal_exceeds_budget(const Island& island, const IslandEffort& effort);
 
 /// Whether small islands in motion, each solved as well as one by itself, exceed the budget of a large one together.
 /// \param patches  in these islands that move before the step
-/// \param effort   the work that is allowed
-/// \return true if so
 [[nodiscard]] bool are_too_many(std::int64_t patches, const IslandEffort& effort);
 
 /// Chooses how an island is solved.
 /// \param island      after sweep_first()
-/// \param first       what that found
-/// \param effort      the work that is allowed
-/// \return the plan
 IslandPlan plan_island(const Island& island, const FirstSweeps& first, const IslandEffort& effort);
 
 /// Changes the plan of a quiet island that costs too much to solve at once: sweeps settle it within some hundred steps.
 /// Where they do not come near the direct solver still follows.
 /// \param island  one with IslandPlan::sweeps_may_do
-/// \param effort  the work that is allowed
-/// \param plan    in and out
 void sweep_quiet_island(const Island& island, const IslandEffort& effort, IslandPlan& plan);
 
 }  // namespace tumble

@@ -99,9 +99,7 @@ struct IslandResult {
 class IslandSolver {
  public:
   /// Solves one island.
-  /// \param bodies    indices of the island's movable bodies
   /// \param contacts  places of its patches in `patches`
-  /// \param limits    when to stop
   /// \param free      how the bodies would move without any contact, by index
   /// \param patches   with their targets; impulses in (a start) and out
   /// \param now       by index: velocities in (a start) and out
@@ -111,12 +109,6 @@ class IslandSolver {
                      std::span<ContactPatch> patches, std::span<MovingBody> now);
 
   /// Whether one factorization of an island's matrix takes more multiplications than that.
-  /// \param most      [-] multiplications
-  /// \param bodies    indices of the island's movable bodies
-  /// \param contacts  places of its patches in `patches`
-  /// \param patches   the patches of the step
-  /// \param all       bodies of the world
-  /// \return true if so
   bool costs_more_than(double most, std::span<const int> bodies, std::span<const int> contacts,
                        std::span<const ContactPatch> patches, std::size_t all);
 
@@ -125,8 +117,6 @@ class IslandSolver {
   /// Without the cones' coupling the problem is convex with one solution, and the Newton steps of solve() find it
   /// whatever the masses and the coefficients of friction are. Impulses of friction may be outside of their cones
   /// afterwards.
-  /// \param bodies    indices of the island's movable bodies
-  /// \param contacts  places of its patches in `patches`
   /// \param limits    residual, max_newton_steps and max_work count
   /// \param held      by index: velocities without contacts, with the impulses of friction
   /// \param patches   with their targets; normal impulses in (a start) and out

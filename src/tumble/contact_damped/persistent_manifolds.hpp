@@ -34,41 +34,31 @@ struct ManifoldsFound {
 class PersistentManifolds {
  public:
   /// Finds the patches of a step, with the impulses to start from.
-  /// \param world          where the bodies are
   /// \param bodies         how they would move without contacts, by index
   /// \param candidates     pairs by index, first < second, sorted, each once
-  /// \param dt             [s] of the step
   /// \param impulse_ratio  [-] impulses of the step before are multiplied by this (the ratio of the steps)
-  /// \return counts
   ManifoldsFound find(const World& world, std::span<const MovingBody> bodies,
                       std::span<const IndexPair> candidates, double dt, double impulse_ratio);
 
   /// Makes the patches of a step those of its first part.
   /// \param bodies  velocities without contacts in the part
-  /// \param dt      [s] of the part
   /// \param ratio   [-] of the part to the step
   void shorten(std::span<const MovingBody> bodies, double dt, double ratio);
 
   /// Adds the patches of pairs that find() left out, since they did not come near each other, and that overlap at the
   /// end of the step with the velocities that impulses have given them.
-  /// \param world       where the bodies are
-  /// \param bodies      how they move now, by index
-  /// \param candidates  pairs by index, first < second, sorted, each once
-  /// \param dt          [s] of the step
+  /// \param bodies  how they move now, by index
   /// \return how many were added; their stamps are above all earlier ones
   int add_missed(const World& world, std::span<const MovingBody> bodies,
                  std::span<const IndexPair> candidates, double dt);
 
-  /// The stamp of the last patch that was built.
-  /// \return rises with each
+  /// The stamp of the last patch that was built; it rises with each.
   [[nodiscard]] std::uint64_t last_stamp() const { return built_; }
 
-  /// The patches of the last step, sorted by the ids of their bodies.
-  /// \return may be changed; the next step starts from their impulses
+  /// The patches of the last step, sorted by the ids of their bodies. The next step starts from their impulses.
   [[nodiscard]] std::vector<ContactPatch>& patches() { return patches_; }
 
-  /// The patches of the last step, sorted by the ids of their bodies.
-  /// \return one for each pair that touches
+  /// Ditto.
   [[nodiscard]] const std::vector<ContactPatch>& patches() const { return patches_; }
 
  private:

@@ -45,6 +45,22 @@ bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& f
   return residual < plan.fair_residual;
 }
 
+// Ditto, and extrapolates after each pair of sweeps down and up but the last one, whose impulses are within their cones. A pair
+// that hardly changes any body is the last one too.
+bool sweep_accelerated(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
+                       IslandAcceleration& acceleration, StepReport& report) {
+  double residual = first.up;
+  acceleration.start(island);
+  for (int k = 2; k < plan.max_sweeps; ++k) {
+    residual = sweep_number(k, island, plan, report);
+    if (residual < plan.residual) return true;
+    if (k % 2 == 0) continue;
+    if (acceleration.largest_change(island) < plan.residual) return true;
+    if (k + 2 < plan.max_sweeps) acceleration.extrapolate(island);
+  }
+  return residual < plan.fair_residual;
+}
+
 // All patches together. Returns whether the direct solver accepted the island, and how far it got. In a small one that moves a
 // result that has not converged is the start of sweeps, which put friction back into its cone.
 FoundBy solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& solver,
@@ -229,6 +245,11 @@ FoundBy ContactDamped::run_plan(const Island& island, const IslandPlan& plan,
     case IslandMethod::sweep_then_direct:
       // It moves fast, slides, or sweeps converge.
       if (!sweep_on(island, plan, first, report))
+        found = solve_directly(island, plan, memory_.island_solver, report);
+      break;
+    case IslandMethod::accelerate_then_direct:
+      // It is at rest, and too large to solve at once.
+      if (!sweep_accelerated(island, plan, first, storage_.acceleration, report))
         found = solve_directly(island, plan, memory_.island_solver, report);
       break;
     case IslandMethod::direct_then_sweep:

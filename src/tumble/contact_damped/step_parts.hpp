@@ -21,29 +21,19 @@ inline constexpr int kMostHalvings = 4;
 
 /// Into how many parts a step is divided, if an option allows it, where bodies that touch move far into each other, or
 /// edges far along each other. Then a contact found at its start does not stay where it is. On a face it does.
-/// \param patches  of the step
 /// \param free     velocities with gravity, without contacts
-/// \param dt       [s] of the step
-/// \param allowed  parts, at most
 /// \return from 1 to `allowed`
 [[nodiscard]] int parts_of_motion(std::span<const ContactPatch> patches,
                                   std::span<const MovingBody> free, double dt, int allowed);
 
-/// The farthest turn of a body that may touch another: its contacts of the start of the step are elsewhere at its end.
-/// \param patches  of the step
+/// The farthest turn [rad] of a body that may touch another: its contacts of the start of the step are elsewhere at its end.
 /// \param bodies   velocities before the step
-/// \param dt       [s] of the step
-/// \return [rad]
 [[nodiscard]] double farthest_turn(std::span<const ContactPatch> patches,
                                    std::span<const MovingBody> bodies, double dt);
 
 /// For how long no two boxes that move far against each other meet. Those of a step that are half an edge further on could
 /// have passed each other, or be so deep in each other that their contact points the wrong way.
-/// \param world       the bodies at the start
-/// \param bodies      their velocities then
-/// \param candidates  pairs that may meet
 /// \param rule        by which bodies turn
-/// \param dt          [s] of the step
 /// \return [s] up to dt: the time of the first meeting of such a pair; for one that meets at once the time in which it
 ///         moves by half an edge
 /// \par Cost

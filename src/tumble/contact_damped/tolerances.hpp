@@ -128,10 +128,6 @@ inline constexpr double fair_quiet_residual = 0.3;
 /// within the slop so, which is 1e-5. (4.4)
 inline constexpr double repair_start = 0.98e-5;
 
-/// [-] Overlap that repair leaves, ditto. Reason: it has to be well below where repair begins. With 0.975e-5 some bodies of a heap
-/// crept past that in each step, and their repair disturbed others: 1 of 5 heaps of a thousand cubes rested within 30 s. (4.4)
-inline constexpr double repair_rest = 0.0;
-
 /// [-] Share of the overlap that goes in a step. Reason: a millimetre is gone in half a second without being seen to go. (4.4)
 inline constexpr double repair_share = 0.2;
 

@@ -203,7 +203,7 @@ bool is_solved(const ContactPatch& patch, const Six& motion, double residual) {
   double normal = 0.0, lever = 0.0;
   for (const ContactPatchPoint& p : patch.used()) {
     const double wrong = speed_at(p, motion) - p.target;
-    if (!(wrong >= -residual)) return false;
+    if (!(wrong >= -residual && p.impulse >= 0.0)) return false;  // extrapolated ones may pull
     if (!(p.impulse > 0.0)) continue;
     const double along = motion[0] - p.across * motion[5];
     const double across = motion[1] + p.along * motion[5];
@@ -269,14 +269,14 @@ void require_separation(double slowest, ContactPatch& patch) {
   patch.targets_planar = false;
 }
 
-double correct_overlap(const ContactPatch& patch, double slop, double share,
-                       OverlapCorrection& correction, MovingBody& first, MovingBody& second) {
+double correct_overlap(const ContactPatch& patch, double share, OverlapCorrection& correction,
+                       MovingBody& first, MovingBody& second) {
   PatchUpdate update;
   update.motion = motion_of(patch, first, second);
   for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
     const ContactPatchPoint& p = patch.points[i];
-    const double excess = -p.gap - slop;  // overlap to be corrected; below 0 it may sink by as much
-    solve_point(p, excess > 0.0 ? share * excess : excess, correction.inverse_mass,
+    const double overlap = -p.gap;  // below 0 it may sink by as much
+    solve_point(p, overlap > 0.0 ? share * overlap : overlap, correction.inverse_mass,
                 correction.pushes[i], update);
   }
   if (update.largest_change > 0.0) apply(update.change, patch, first, second);

@@ -58,13 +58,12 @@ struct OverlapCorrection {
 };
 
 /// Corrects a share of the overlap of a patch by displacing its bodies, whose "velocities" are their displacements.
-/// \param slop        [m] overlap that is left
-/// \param share       [-] of the overlap beyond it that is corrected, 0 to 1
+/// \param share       [-] of the overlap, 0 to 1
 /// \param correction  pushes in and out
 /// \param first       displacement of the first body; changed
 /// \param second      displacement of the second body; changed
 /// \return [m] the largest change of a displacement
-double correct_overlap(const ContactPatch& patch, double slop, double share,
-                       OverlapCorrection& correction, MovingBody& first, MovingBody& second);
+double correct_overlap(const ContactPatch& patch, double share, OverlapCorrection& correction,
+                       MovingBody& first, MovingBody& second);
 
 }  // namespace tumble
