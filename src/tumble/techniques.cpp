@@ -223,8 +223,8 @@ const std::vector<TechniqueRecipe>& technique_library() {
        "impacts and contacts of a step solved together at its start; bounces come up to a step "
        "early, elastic bodies that collide one after another in a step lose energy, small bodies "
        "that fly several of their lengths or long ones that rotate by a radian in a step may pass "
-       "through each other, friction is up to 8 % weaker between its eight directions, boxes on a "
-       "rotating body drift unless "
+       "through each other, bodies that fly closely past an edge may be turned aside, friction is "
+       "up to 8 % weaker between its eight directions, boxes on a rotating body drift unless "
        "pose=exponential",
        declared_options<TimeSteppingOptions>, make<TimeStepping, TimeSteppingOptions>},
       {"impulse", "2.5.2",
@@ -268,8 +268,8 @@ const std::vector<TechniqueRecipe>& technique_library() {
        declared_options<PenaltyOptions>, make<Penalty, PenaltyOptions>},
       {"faure", "2.6.4",
        "impulses of all contacts at once, with a limited number of iterations; bodies sink in if "
-       "these are too few, and bounces may lose or gain energy; carried bodies as in "
-       "time_stepping, leaning bodies, flush edges and fast bodies as in timewarp_simple",
+       "these are too few, and bounces may lose or gain energy; carried bodies and near misses as "
+       "in time_stepping, leaning bodies, flush edges and fast bodies as in timewarp_simple",
        declared_options<FaureOptions>, make<Faure, FaureOptions>},
       {"relaxation", "2.3",
        "boxes of particles and rods; only fast impacts bounce, spins die out, boxes creep down "
@@ -281,7 +281,7 @@ const std::vector<TechniqueRecipe>& technique_library() {
       {"optimised", "2.7.2",
        "nearest poses without overlap, then momenta; steps of any length; bounces may lose energy, "
        "fast and fast rotating bodies may go round obstacles, flush edges slow sliding bodies, "
-       "boxes on a rotating body drift",
+       "bodies that pass an edge closely may be turned aside, boxes on a rotating body drift",
        declared_options<OptimisedOptions>, make<Optimised, OptimisedOptions>},
       {"microcollisions", "2.5.2",
        "every contact is a series of tiny collisions at one point (Mirtich); nothing comes to "

@@ -117,6 +117,36 @@ TEST_CASE("A body that goes through another one within a step is found", "[unit]
   }
 }
 
+TEST_CASE("A box that appears inside another one is named, and how deep", "[unit][record][run]") {
+  Scene scene = two(Vec3(0.0, 0.0, 0.0), Vec3::Zero(), Vec3::Zero());
+  SceneBox late = cube("late", Vec3(0.7, 0.0, 0.0), Vec3::Zero());
+  late.appears = 0.3;
+  scene.boxes.push_back(late);
+
+  SECTION("in a box") {
+    const RunResult inside = ran(scene);
+    REQUIRE(inside.findings.size() == 2);  // these ghosts also stay in each other
+    CHECK(inside.findings[0] ==
+          "step 3 at 0.3 s: late appears 0.3 m deep in right, and to part them can add energy: "
+          "leave room for it, up to 0.001 m is accepted");
+  }
+  SECTION("in the ground") {
+    scene.ground = SceneGround{};
+    scene.boxes[0].position_w.y() = scene.boxes[1].position_w.y() = 0.5;
+    scene.boxes[2].position_w = Vec3(5.0, 0.2, 0.0);
+    const RunResult sunk = ran(scene);
+    REQUIRE(sunk.findings.size() == 2);
+    CHECK(sunk.findings[0].find("late appears 0.3 m deep in ground") != std::string::npos);
+  }
+  SECTION("one that touches is not, nor a fixed one in a fixed one") {
+    scene.boxes[2].position_w.x() = 0.9995;
+    CHECK(ran(scene).findings.empty());
+    scene.boxes[2].position_w.x() = 0.7;
+    scene.boxes[1].fixed = scene.boxes[2].fixed = true;
+    CHECK(ran(scene).findings.empty());
+  }
+}
+
 TEST_CASE("A body that a step leaves inside another one, and the next one beyond, is found",
           "[unit][record][run]") {
   // 2.2 m in a step: wholly inside after the first, and 2.2 m beyond after the second.

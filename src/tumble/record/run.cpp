@@ -56,9 +56,9 @@ class Observation {
 class RunChecks {
  public:
   explicit RunChecks(Simulation& simulation)
-      : observed_{Observation(simulation, energy_), Observation(simulation, passage_),
-                  Observation(simulation, hang_), Observation(simulation, hit_),
-                  Observation(simulation, turn_)} {}
+      : observed_{Observation(simulation, appear_),  Observation(simulation, energy_),
+                  Observation(simulation, passage_), Observation(simulation, hang_),
+                  Observation(simulation, hit_),     Observation(simulation, turn_)} {}
 
   [[nodiscard]] StepStatus status() const {
     return std::max({energy_.status(), passage_.status(), hang_.status(), hit_.status()});
@@ -81,13 +81,14 @@ class RunChecks {
   }
 
  private:
+  AppearCheck appear_;
   EnergyCheck energy_;
   PassageCheck passage_;
   HangCheck hang_;
   HitCheck hit_;
   TurnCheck turn_;
-  std::array<const RunCheck*, 5> unheard_{&energy_, &passage_, &hang_, &hit_, &turn_};
-  std::array<Observation, 5> observed_;
+  std::array<const RunCheck*, 6> unheard_{&appear_, &energy_, &passage_, &hang_, &hit_, &turn_};
+  std::array<Observation, 6> observed_;
 };
 
 // Whole steps in the duration; a remainder of next to nothing is rounding.

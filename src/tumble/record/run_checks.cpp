@@ -6,10 +6,12 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/energy.hpp"
+#include "tumble/dynamics/flight.hpp"
 #include "tumble/record/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace tumble {
 namespace {
@@ -111,6 +113,35 @@ void TurnCheck::on_step(const World& world, const StepReport& /*report*/) {
              rounded_text(0.5 * dt / turn, 2) + " is small enough");
     return;
   }
+}
+
+// --- boxes that appear ------------------------------------------------------------------------------
+
+void AppearCheck::on_begin(const World& world) {
+  known_.assign(world.ids().begin(), world.ids().end());
+}
+
+void AppearCheck::on_change(const World& world, double /*energy_added*/) {
+  const std::span<const BodyProperties> bodies = world.bodies();
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    if (std::binary_search(known_.begin(), known_.end(), world.ids()[k])) continue;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      if (i == k || (!bodies[i].movable() && !bodies[k].movable())) continue;
+      const std::size_t first = std::min(i, k);
+      const std::size_t second = std::max(i, k);
+      const double depth =
+          -gap_between(bodies[first], world.states()[first], bodies[second], world.states()[second])
+               .distance;
+      const double accepted =
+          tolerance::start_overlap * shortest_edge(bodies[first], bodies[second]);
+      if (!(depth > accepted)) continue;
+      find(world, world.name(static_cast<int>(k)) + " appears " + rounded_text(depth, 3) +
+                      " m deep in " + world.name(static_cast<int>(i)) +
+                      ", and to part them can add energy: leave room for it, up to " +
+                      rounded_text(accepted, 3) + " m is accepted");
+    }
+  }
+  on_begin(world);
 }
 
 }  // namespace tumble

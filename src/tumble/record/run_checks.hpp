@@ -1,5 +1,5 @@
 /// \file
-/// \brief Checks of a run by any technique: no energy from nothing, large turns.
+/// \brief Checks of a run by any technique: no energy from nothing, large turns, boxes that appear inside others.
 #pragma once
 
 #include "tumble/dynamics/technique.hpp"
@@ -62,6 +62,17 @@ class TurnCheck : public RunCheck {
 
  private:
   double time_ = 0.0;  // [s] when the step began
+};
+
+/// Reports the first box that appears inside another body, deeper than a scene may have it at its start
+/// (`tolerance::start_overlap`). The technique moves the two apart, which can add energy. The status stays StepStatus::done.
+class AppearCheck : public RunCheck {
+ public:
+  void on_begin(const World& world) override;
+  void on_change(const World& world, double energy_added) override;
+
+ private:
+  std::vector<BodyId> known_;  // there before the change, ascending
 };
 
 }  // namespace tumble
