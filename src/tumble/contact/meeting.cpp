@@ -8,6 +8,8 @@
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace tumble {
 namespace {
@@ -18,47 +20,90 @@ double least_gap(const Manifold& found) {
   return gap;
 }
 
-// A box that has turned for a time as its body does.
-Box turned_box(const Box& box, const MovingBody& body, double time) {
-  Box out = box;
-  out.axes_w = rotation_from_vector(time * body.angular_velocity_w) * box.axes_w;
-  return out;
+// A body as a box that moves and turns evenly.
+struct MovingBox {
+  Box box;
+  Vec3 velocity_w;
+  Vec3 spin_w;
+
+  [[nodiscard]] Box turned(double time) const {
+    return {box.center_w, rotation_from_vector(time * spin_w) * box.axes_w, box.half};
+  }
+  [[nodiscard]] Box moved(double time) const {
+    Box out = turned(time);
+    out.center_w += time * velocity_w;
+    return out;
+  }
+  [[nodiscard]] double turning_speed() const { return spin_w.norm() * box.half.norm(); }
+};
+
+// Whether their motion alone would close the gap at a point within the step, as seen along the normal.
+bool closes(const Manifold& found, const MovingBox& first, const MovingBox& second, double touching,
+            double dt) {
+  const auto last = found.points.begin() + found.count;
+  return std::any_of(found.points.begin(), last, [&](const ManifoldPoint& p) {
+    const Vec3 velocity_w = second.velocity_w - first.velocity_w +
+                            second.spin_w.cross(p.position_w - second.box.center_w) -
+                            first.spin_w.cross(p.position_w - first.box.center_w);
+    return p.distance + dt * found.normal_w.dot(velocity_w) < -touching;
+  });
+}
+
+// Whether two boxes never overlap by more than a slop within the step. The axis that separates them does so at least until
+// their motion has closed the gap along it; then it has to be another one.
+bool pass_each_other(const MovingBox& first, const MovingBox& second, double slop, double dt) {
+  if (separation(first.moved(dt), second.moved(dt)).distance < -slop) return false;
+  const SeparationOptions best{.prefer_faces = false,
+                               .enough = std::numeric_limits<double>::infinity()};
+  const double turning = first.turning_speed() + second.turning_speed();
+  double time = 0.0;
+  for (int k = 0; k < tolerance::passing_axes; ++k) {
+    const Separation apart = separation(first.moved(time), second.moved(time), best);
+    if (apart.distance < -0.99 * slop) return false;
+    const double closing = turning - apart.normal_w.dot(second.velocity_w - first.velocity_w);
+    if (!(dt * closing > apart.distance + slop)) return true;
+    time += (apart.distance + slop) / closing;
+    if (time >= dt) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 MeetingFound find_meeting(const World& world, const IndexPair& pair, const Manifold& found,
                           double size, double touching, std::span<const MovingBody> bodies,
-                          double dt) {
+                          const Vec3& gained_w, double dt) {
   const BodyProperties& a = world.bodies()[idx(pair.first)];
   const BodyProperties& b = world.bodies()[idx(pair.second)];
   if (a.shape == Shape::ground || b.shape == Shape::ground) return {};
-  const double least = -tolerance::flush_height * size;
+  const double height = tolerance::flush_height * size;
   const double gap = least_gap(found);
-  const Box first = box_of(a, world.states()[idx(pair.first)]);
-  Box second = box_of(b, world.states()[idx(pair.second)]);
-  const Vec3 start_w = second.center_w;
-  const Vec3 closer_w = -tolerance::flush_overlap * size * found.normal_w;
-  const Separation straight = closed_along(first, second, found.normal_w, gap, size);
-  if (straight.distance < least) return {};
-  if (gap <= touching)
-    return straight.distance < -least ? MeetingFound{Meeting::graze, straight.normal_w}
-                                      : MeetingFound{};
-  // As the bodies moved before the step, and turned: when they meet along the normal, and at the end of the step.
-  const auto velocity_before = [&](int body) {
-    const MovingBody& moving = bodies[idx(body)];
-    return moving.inverse_mass.x() == 0.0 ? moving.velocity_w
-                                          : Vec3(moving.velocity_w - dt * world.gravity_w);
+  const auto moving_box = [&](const BodyProperties& body, int k) {
+    const MovingBody& moving = bodies[idx(k)];
+    return MovingBox{box_of(body, world.states()[idx(k)]), moving.velocity_w,
+                     moving.angular_velocity_w};
   };
-  const Vec3 velocity_w = velocity_before(pair.second) - velocity_before(pair.first);
-  const double speed = -found.normal_w.dot(velocity_w);
+  MovingBox first = moving_box(a, pair.first), second = moving_box(b, pair.second);
+  bool pass =
+      closes(found, first, second, touching, dt) && pass_each_other(first, second, touching, dt);
+  // The same as the bodies moved before the step.
+  if (bodies[idx(pair.first)].inverse_mass.x() != 0.0) first.velocity_w -= gained_w;
+  if (bodies[idx(pair.second)].inverse_mass.x() != 0.0) second.velocity_w -= gained_w;
+  pass = pass && pass_each_other(first, second, touching, dt);
+  if (pass) return {Meeting::pass};
+  const Separation straight = closed_along(first.box, second.box, found.normal_w, gap, size);
+  if (straight.distance < -height) return {};
+  if (gap <= touching)
+    return straight.distance < height ? MeetingFound{Meeting::graze, straight.normal_w}
+                                      : MeetingFound{};
+  // When they meet along the normal, and at the end of the step.
+  const double speed = -found.normal_w.dot(second.velocity_w - first.velocity_w);
   const double meets = speed > 0.0 ? gap / speed : dt;
   const auto overlap_after = [&](double time) {
-    const double turns = std::min(time, dt);
-    second.center_w = start_w + time * velocity_w + closer_w;
-    return separation(turned_box(first, bodies[idx(pair.first)], turns),
-                      turned_box(second, bodies[idx(pair.second)], turns))
-               .distance < least;
+    Box other = second.turned(std::min(time, dt));
+    other.center_w += time * (second.velocity_w - first.velocity_w) -
+                      tolerance::flush_overlap * size * found.normal_w;
+    return separation(first.turned(std::min(time, dt)), other).distance < -height;
   };
   if (overlap_after(meets) || (meets < dt && overlap_after(dt))) return {};
   return {Meeting::pass};

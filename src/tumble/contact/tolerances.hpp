@@ -136,6 +136,10 @@ inline constexpr double flush_height = 1e-4;
 /// that height, so that the direction in which they meet is not taken for the one without height. (3.2)
 inline constexpr double flush_overlap = 1e-3;
 
+/// [-] Axes that may separate two boxes one after the other while they pass each other. Reason: without turning two or three do;
+/// the end of a bar that turns by 0.8 rad past a block, at a hundredth of its length from it, needs more than 30. (3.2)
+inline constexpr int passing_axes = 200;
+
 /// [-] Cosine above which the plane of an edge is that of a contact. Reason: flush faces are parallel to within a
 /// tenth of a degree or so. (3.2)
 inline constexpr double flush_plane = 0.999;

@@ -177,7 +177,7 @@ ContactPatch& PersistentManifolds::add_patch(const World& world, const IndexPair
 // Looks where a pair can come together within the step. If it can, a patch is added at the end.
 bool PersistentManifolds::look_for_patch(const World& world, const IndexPair& pair,
                                          std::span<const MovingBody> bodies, const Vec3& rest_w,
-                                         double dt, AxisIndex axis) {
+                                         const Vec3& gained_w, double dt, AxisIndex axis) {
   const MovingBody& first = bodies[idx(pair.first)];
   const MovingBody& second = bodies[idx(pair.second)];
   const double margin = margin_of(world, pair, bodies, dt);
@@ -188,8 +188,8 @@ bool PersistentManifolds::look_for_patch(const World& world, const IndexPair& pa
   if (!has_point_within(manifold, approach + margin)) return false;
   const double size =
       movable_edge(world.bodies()[idx(pair.first)], world.bodies()[idx(pair.second)]);
-  const MeetingFound met =
-      find_meeting(world, pair, manifold, size, tolerance::contact_slop * size, bodies, dt);
+  const MeetingFound met = find_meeting(world, pair, manifold, size, tolerance::contact_slop * size,
+                                        bodies, gained_w, dt);
   if (met.meeting == Meeting::pass) return false;
   add_patch(world, pair, manifold, first, second, reach).flat_w = met.flat_w;
   return true;
@@ -212,6 +212,7 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
     patches_.insert(patches_.begin(), begin, begin + static_cast<std::ptrdiff_t>(same));
   };
   const Vec3 rest_w = velocity_of_rest(bodies);
+  const Vec3 gained_w = dt * world.gravity_w;
   for (const IndexPair& pair : candidates) {
     const MovingBody& first = bodies[idx(pair.first)];
     const MovingBody& second = bodies[idx(pair.second)];
@@ -231,7 +232,7 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
     } else {
       ++found.pair_tests;
       const AxisIndex axis = previous != nullptr ? previous->axis : kNoAxis;
-      if (!look_for_patch(world, pair, bodies, rest_w, dt, axis)) continue;
+      if (!look_for_patch(world, pair, bodies, rest_w, gained_w, dt, axis)) continue;
       copy_kept();
       if (previous != nullptr) transfer_impulses(*previous, patches_.back());
     }
@@ -276,7 +277,7 @@ int PersistentManifolds::add_missed(const World& world, std::span<const MovingBo
     if (next < found && belongs_to(patches_[next], first_id, second_id)) continue;
     if ((stays(pair.first) && stays(pair.second)) || sleeps(pair.first) || sleeps(pair.second))
       continue;
-    if (!look_for_patch(world, pair, bodies, rest_w, dt, kNoAxis)) continue;
+    if (!look_for_patch(world, pair, bodies, rest_w, Vec3::Zero(), dt, kNoAxis)) continue;
     set_for_step(pair, bodies, dt, patches_.back());
     if (!will_overlap(patches_.back(), bodies, dt)) patches_.pop_back();
   }
