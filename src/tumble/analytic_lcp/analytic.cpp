@@ -52,13 +52,11 @@ Analytic::Analytic(const AnalyticOptions& options)
 }
 
 Analytic::Analytic(const Analytic& other)
-    : Technique(other),
+    : Cloned(other),
       options_(other.options_),
       forces_(force_options(other.options_)),
       resting_(other.resting_),
       records_(other.records_) {}
-
-std::unique_ptr<Technique> Analytic::clone() const { return std::make_unique<Analytic>(*this); }
 
 std::vector<Diagnostic> Analytic::diagnostics() const { return diagnostics_of(unsolved_problem()); }
 

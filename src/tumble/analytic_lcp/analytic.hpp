@@ -10,6 +10,7 @@
 #include "tumble/analytic_lcp/impact_search.hpp"
 #include "tumble/analytic_lcp/island_damping.hpp"
 #include "tumble/analytic_lcp/velocity_step.hpp"
+#include "tumble/base/cloned.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/impacts.hpp"
@@ -125,7 +126,7 @@ void describe(AnalyticOptions& o, Visitor& v) {
 /// \algorithm{Collisions in the order of time with analytic contact forces: section 3.3.1}
 /// \deviation{The thesis did not get its two parts to work together; this is our way to do it.}
 /// \verified{A box bounces, sticks, rests, slides and topples in one run of the joined simulator}
-class Analytic : public Technique {
+class Analytic : public Cloned<Technique, Analytic> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for a value out of range, a solver that there is not, or the one
@@ -138,7 +139,6 @@ class Analytic : public Technique {
 
   [[nodiscard]] std::string_view name() const override { return "analytic"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   /// \copydoc Technique::contacts
   /// Impulses of every collision of the step, and the forces of its last flight at the pose in the
   /// middle of it, where they are found. Between bodies that are left out as stable no force is

@@ -25,10 +25,6 @@ TimeStepping::TimeStepping(const TimeSteppingOptions& options) : options_(option
                 "directions = " + std::to_string(directions) + ": expected 4 or 8");
 }
 
-std::unique_ptr<Technique> TimeStepping::clone() const {
-  return std::make_unique<TimeStepping>(*this);
-}
-
 std::vector<Diagnostic> TimeStepping::diagnostics() const {
   return diagnostics_of(unsolved_problem());
 }

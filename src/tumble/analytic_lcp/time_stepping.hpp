@@ -6,6 +6,7 @@
 
 #include "tumble/analytic_lcp/passing_contacts.hpp"
 #include "tumble/analytic_lcp/velocity_step.hpp"
+#include "tumble/base/cloned.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/contact/pivot_update.hpp"
 #include "tumble/contact/repair.hpp"
@@ -79,7 +80,7 @@ void describe(TimeSteppingOptions& o, Visitor& v) {
 /// \see Stewart, Trinkle 1996; Anitescu, Potra 1997 (see FrictionPyramid).
 /// \algorithm{Time stepping: section 2.6.3}
 /// \verified{A sliding box stops where Coulomb's law says}
-class TimeStepping : public Technique {
+class TimeStepping : public Cloned<Technique, TimeStepping> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for a number of directions other than 4 or 8
@@ -87,7 +88,6 @@ class TimeStepping : public Technique {
 
   [[nodiscard]] std::string_view name() const override { return "time_stepping"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const override;
   /// The problem that the last step could not solve; nullptr if there is none; valid until the next step.

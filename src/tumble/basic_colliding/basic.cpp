@@ -20,8 +20,6 @@ Basic::Basic(const BasicOptions& options) : options_(options) {
                 "event_cap = " + std::to_string(options.event_cap) + ": expected 1 or more");
 }
 
-std::unique_ptr<Technique> Basic::clone() const { return std::make_unique<Basic>(*this); }
-
 StepReport Basic::step(World& world, double dt) {
   require_resolved(dt, options_.resolution);
   records_.clear();

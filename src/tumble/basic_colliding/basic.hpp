@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/gather.hpp"
@@ -51,7 +52,7 @@ void describe(BasicOptions& o, Visitor& v) {
 /// \algorithm{The basic colliding technique: section 2.1}
 /// \deviation{The number of impacts in a step is capped; by the thesis's words a step with a resting box does not end.}
 /// \verified{A bouncing cube of the basic technique follows an event-driven reference run}
-class Basic : public Technique {
+class Basic : public Cloned<Technique, Basic> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for a resolution not above 0 or a cap below 1
@@ -59,7 +60,6 @@ class Basic : public Technique {
 
   [[nodiscard]] std::string_view name() const override { return "basic"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
 
  private:

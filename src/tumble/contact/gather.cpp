@@ -77,16 +77,20 @@ bool touch_pair(const World& world, std::span<const BodyState> states, const Ind
   return touch_pair(world, pair, box(pair.first), box(pair.second), margin, remembered, out);
 }
 
-Contact contact_of(const World& world, const IndexPair& pair) {
+void set_pair(const World& world, const IndexPair& pair, Contact& contact) {
   const BodyProperties& a = world.bodies()[idx(pair.first)];
   const BodyProperties& b = world.bodies()[idx(pair.second)];
-  Contact contact;
   contact.first = pair.first;
   contact.second = pair.second;
   contact.first_id = world.ids()[idx(pair.first)];
   contact.second_id = world.ids()[idx(pair.second)];
   contact.friction = std::sqrt(a.friction * b.friction);
   contact.restitution = std::max(a.restitution, b.restitution);
+}
+
+Contact contact_of(const World& world, const IndexPair& pair) {
+  Contact contact;
+  set_pair(world, pair, contact);
   return contact;
 }
 

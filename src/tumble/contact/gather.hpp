@@ -28,8 +28,11 @@ bool touch_pair(const World& world, std::span<const BodyState> states, const Ind
 bool touch_pair(const World& world, const IndexPair& pair, const Box& first, const Box& second,
                 double margin, AxisIndex remembered, Manifold& out);
 
-/// A contact without points: bodies, friction (the geometric mean of the two coefficients) and
-/// restitution (the larger).
+/// Sets bodies, friction (the geometric mean of the two coefficients) and restitution (the larger).
+/// \param contact  in and out; the rest of it stays
+void set_pair(const World& world, const IndexPair& pair, Contact& contact);
+
+/// The same of a contact without points.
 Contact contact_of(const World& world, const IndexPair& pair);
 
 /// Takes over normal and points.

@@ -69,8 +69,6 @@ Glued::Glued(const GluedOptions& options) : options_(options) {
       "contacts = collide: expected joints = bilateral, since colliding bodies separate anyway");
 }
 
-std::unique_ptr<Technique> Glued::clone() const { return std::make_unique<Glued>(*this); }
-
 std::vector<std::string> Glued::ignores(const World&) const {
   if (options_.contacts == GluedContacts::collide) return {};
   return {"collisions", "contacts other than those at the start", "limits of friction"};

@@ -4,6 +4,7 @@
 /// Uses the chapter on analytic forces.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/exterior_rotation/joint_contacts.hpp"
@@ -108,7 +109,7 @@ void describe(GluedOptions& o, Visitor& v) {
 /// about forty steps for a located event.
 /// \algorithm{A group that sticks: section 6.2 with its footnote}
 /// \verified{Orders of the glued column are 1, 1, 1, 2 and 4}
-class Glued : public Technique {
+class Glued : public Cloned<Technique, Glued> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for an accuracy out of range, pose=exponential with a scheme of
@@ -120,7 +121,6 @@ class Glued : public Technique {
   /// \copydoc Technique::step
   /// Worlds with more than 600 rows of joints that close loops are refused.
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   /// \copydoc Technique::contacts
   /// One for each closed joint: the point of action of its force, at the pose of the last evaluation. With
   /// contacts=collide those of bodies that met, as impulses of the step, come before.

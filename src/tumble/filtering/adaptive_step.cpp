@@ -61,12 +61,8 @@ void require_valid(const AdaptiveStepOptions& options) {
 }  // namespace
 
 AdaptiveStep::AdaptiveStep(std::unique_ptr<Technique> inner, const AdaptiveStepOptions& options)
-    : WrappedTechnique(std::move(inner)), options_(options), level_(options.fewest) {
+    : Cloned(std::move(inner)), options_(options), level_(options.fewest) {
   require_valid(options);
-}
-
-std::unique_ptr<Technique> AdaptiveStep::clone() const {
-  return std::make_unique<AdaptiveStep>(*this);
 }
 
 StepReport AdaptiveStep::step(World& world, double dt) {

@@ -2,6 +2,7 @@
 /// \brief Adaptive time step by halving (thesis 6.3.1).
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/dynamics/wrapped_technique.hpp"
 #include "tumble/filtering/corner_motion.hpp"
 #include "tumble/filtering/tolerances.hpp"
@@ -58,7 +59,7 @@ struct AdaptiveStepOptions {
 /// \algorithm{Synchronised halving of the step: section 6.3.1}
 /// \deviation{Not in the thesis, which only suggests smaller steps.}
 /// \verified{A step without halvings has the bits of the technique alone}
-class AdaptiveStep : public WrappedTechnique {
+class AdaptiveStep : public Cloned<WrappedTechnique, AdaptiveStep> {
  public:
   /// Wraps a technique.
   /// \param inner  the technique; its thresholds should depend on the step that it is given
@@ -66,7 +67,6 @@ class AdaptiveStep : public WrappedTechnique {
   explicit AdaptiveStep(std::unique_ptr<Technique> inner, const AdaptiveStepOptions& options = {});
 
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
 
   /// The sub-steps of the last step [s]: their lengths in order; valid until the next step.
   [[nodiscard]] std::span<const double> substeps() const { return substeps_; }

@@ -47,8 +47,6 @@ std::string BoxFilter::text() const {
   return "box:" + std::to_string(frames()) + (window_ == BoxWindow::causal ? ",causal" : "");
 }
 
-std::unique_ptr<PoseFilter> BoxFilter::clone() const { return std::make_unique<BoxFilter>(*this); }
-
 double BoxFilter::response(int frames, double frequency) {
   double sum = 1.0;
   for (int k = 1; k <= frames / 2; ++k)

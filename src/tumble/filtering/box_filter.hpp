@@ -2,6 +2,7 @@
 /// \brief The box filter: a moving average of poses (thesis 5.5).
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/filtering/pose_filter.hpp"
 
 #include <vector>
@@ -38,7 +39,7 @@ enum class BoxWindow : std::uint8_t {
 /// unchanged.
 /// \par Cost
 /// O(frames in the window) for a body and frame, about 0.1 microseconds each.
-class BoxFilter : public PoseFilter {
+class BoxFilter : public Cloned<PoseFilter, BoxFilter> {
  public:
   /// Makes the filter.
   /// \param frames  in the window, odd, 1 to 1001; 1 changes nothing
@@ -51,7 +52,6 @@ class BoxFilter : public PoseFilter {
 
   [[nodiscard]] int latency() const override { return window_ == BoxWindow::centred ? half_ : 0; }
   [[nodiscard]] std::string text() const override;
-  [[nodiscard]] std::unique_ptr<PoseFilter> clone() const override;
 
   /// Factor by which a motion of one frequency is multiplied, \f$H(f)\f$; negative: inverted.
   /// \param frames     in the window, odd

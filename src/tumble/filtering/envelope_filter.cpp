@@ -34,10 +34,6 @@ EnvelopeFilter::EnvelopeFilter(const Envelope& envelope) : envelope_(envelope) {
 
 std::string EnvelopeFilter::text() const { return "envelope:" + text_of(envelope_); }
 
-std::unique_ptr<PoseFilter> EnvelopeFilter::clone() const {
-  return std::make_unique<EnvelopeFilter>(*this);
-}
-
 // [S5.5]
 void EnvelopeFilter::follow(const BodyState& now, double dt, FollowedBody& body) const {
   (void)dt;
@@ -52,10 +48,6 @@ SoftEnvelopeFilter::SoftEnvelopeFilter(const Envelope& envelope) : envelope_(env
 }
 
 std::string SoftEnvelopeFilter::text() const { return "soft_envelope:" + text_of(envelope_); }
-
-std::unique_ptr<PoseFilter> SoftEnvelopeFilter::clone() const {
-  return std::make_unique<SoftEnvelopeFilter>(*this);
-}
 
 // [S5.5:soft]
 void SoftEnvelopeFilter::follow(const BodyState& now, double dt, FollowedBody& body) const {

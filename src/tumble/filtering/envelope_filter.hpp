@@ -2,6 +2,7 @@
 /// \brief Envelope filters: a body that stays near its displayed pose is displayed at rest (thesis 5.5).
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/filtering/following_filter.hpp"
 
 namespace tumble {
@@ -26,14 +27,13 @@ struct Envelope {
 /// Any: time does not enter.
 /// \par Cost
 /// 50 ns for a body and frame.
-class EnvelopeFilter : public FollowingFilter {
+class EnvelopeFilter : public Cloned<FollowingFilter, EnvelopeFilter> {
  public:
   /// Makes the filter.
   /// \throws std::invalid_argument for a radius or an angle that is not finite and above 0
   explicit EnvelopeFilter(const Envelope& envelope = {});
 
   [[nodiscard]] std::string text() const override;
-  [[nodiscard]] std::unique_ptr<PoseFilter> clone() const override;
 
  private:
   void follow(const BodyState& now, double dt, FollowedBody& body) const override;
@@ -60,14 +60,13 @@ class EnvelopeFilter : public FollowingFilter {
 /// Any, but speed is measured per frame.
 /// \par Cost
 /// 0.2 microseconds for a body and frame.
-class SoftEnvelopeFilter : public FollowingFilter {
+class SoftEnvelopeFilter : public Cloned<FollowingFilter, SoftEnvelopeFilter> {
  public:
   /// Makes the filter.
   /// \throws std::invalid_argument for a radius or an angle that is not finite and above 0
   explicit SoftEnvelopeFilter(const Envelope& envelope = {});
 
   [[nodiscard]] std::string text() const override;
-  [[nodiscard]] std::unique_ptr<PoseFilter> clone() const override;
 
  private:
   void follow(const BodyState& now, double dt, FollowedBody& body) const override;

@@ -61,11 +61,7 @@ bool CalmBodies::calm(BodyId id) const {
 
 FreezeOnChatter::FreezeOnChatter(std::unique_ptr<Technique> technique,
                                  const ChatterDetectorOptions& options)
-    : WrappedTechnique(std::move(technique)), calm_(options) {}
-
-std::unique_ptr<Technique> FreezeOnChatter::clone() const {
-  return std::make_unique<FreezeOnChatter>(*this);
-}
+    : Cloned(std::move(technique)), calm_(options) {}
 
 StepReport FreezeOnChatter::step(World& world, double dt) {
   if (world.time() < last_time_) calm_ = CalmBodies(calm_.detector().options());

@@ -2,6 +2,7 @@
 /// \brief Sleep for islands that only chatter (thesis 4.5, 6.3.1).
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/dynamics/wrapped_technique.hpp"
 #include "tumble/filtering/chatter_detector.hpp"
 
@@ -58,7 +59,7 @@ class CalmBodies {
 /// A step of the detector for each body, asleep or not; a classification for each that is not calm.
 /// \algorithm{Chatter detected from earlier steps: section 6.3.1}
 /// \verified{An island that only chatters falls asleep if chatter is detected from history, and not otherwise}
-class FreezeOnChatter : public WrappedTechnique {
+class FreezeOnChatter : public Cloned<WrappedTechnique, FreezeOnChatter> {
  public:
   /// Wraps a technique.
   /// \param technique  with sleeping on; owned by the wrapper
@@ -67,7 +68,6 @@ class FreezeOnChatter : public WrappedTechnique {
                            const ChatterDetectorOptions& options = {});
 
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
 
   /// The calm bodies, as of the last step.
   [[nodiscard]] const CalmBodies& calm_bodies() const { return calm_; }

@@ -29,10 +29,6 @@ std::string OneEuroFilter::text() const {
          shortest_text(options_.speed_cutoff) + "Hz";
 }
 
-std::unique_ptr<PoseFilter> OneEuroFilter::clone() const {
-  return std::make_unique<OneEuroFilter>(*this);
-}
-
 void OneEuroFilter::follow(const BodyState& now, double dt, FollowedBody& body) const {
   const Vec3 velocity_w = (now.position_w - body.computed.position_w) / dt;
   const Vec3 angular_velocity_w =

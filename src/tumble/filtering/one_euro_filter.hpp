@@ -2,6 +2,7 @@
 /// \brief The one-euro filter: a low-pass filter whose cutoff rises with speed.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/filtering/following_filter.hpp"
 
 namespace tumble {
@@ -39,14 +40,13 @@ struct OneEuroOptions {
 /// 0.4 microseconds for a body and frame.
 /// \see Casiez, Roussel, Vogel, "1€ filter: a simple speed-based low-pass filter for noisy input in
 ///      interactive systems", CHI 2012.
-class OneEuroFilter : public FollowingFilter {
+class OneEuroFilter : public Cloned<FollowingFilter, OneEuroFilter> {
  public:
   /// Makes the filter.
   /// \throws std::invalid_argument for a parameter out of range
   explicit OneEuroFilter(const OneEuroOptions& options = {});
 
   [[nodiscard]] std::string text() const override;
-  [[nodiscard]] std::unique_ptr<PoseFilter> clone() const override;
 
  private:
   void follow(const BodyState& now, double dt, FollowedBody& body) const override;

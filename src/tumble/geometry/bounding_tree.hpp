@@ -2,6 +2,7 @@
 /// \brief The broad phase that keeps bodies in a tree of bounds (thesis 4.1).
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
 namespace tumble {
@@ -25,12 +26,9 @@ namespace tumble {
 ///      Graphics and Applications 7(5), 1987, for the cost by surface.
 /// \algorithm{Spatial subdivision: section 4.1}
 /// \verified{All broad phases agree on thousands of random scenes}
-class BoundingTree final : public BroadPhase {
+class BoundingTree final : public Cloned<BroadPhase, BoundingTree> {
  public:
   [[nodiscard]] std::string_view name() const override { return "bounding_tree"; }
-  [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override {
-    return std::make_unique<BoundingTree>(*this);
-  }
 
  private:
   static constexpr int kNone = -1;

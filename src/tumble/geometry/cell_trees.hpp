@@ -2,6 +2,7 @@
 /// \brief The broad phases that divide space itself: kd-tree and octree (thesis 4.1).
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
 #include <array>
@@ -55,12 +56,9 @@ class CellTree : public BroadPhase {
 /// \see Bentley, "Multidimensional binary search trees used for associative searching", Comm. ACM 18(9), 1975.
 /// \algorithm{Spatial subdivision: section 4.1}
 /// \verified{All broad phases agree on thousands of random scenes}
-class KdTree final : public CellTree {
+class KdTree final : public Cloned<CellTree, KdTree> {
  public:
   [[nodiscard]] std::string_view name() const override { return "kd_tree"; }
-  [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override {
-    return std::make_unique<KdTree>(*this);
-  }
 
  private:
   [[nodiscard]] Cut cut_of(std::span<const Bounds> bounds, std::span<const int> bodies,
@@ -75,12 +73,9 @@ class KdTree final : public CellTree {
 /// \see Meagher, "Geometric modeling using octree encoding", Computer Graphics and Image Processing 19, 1982.
 /// \algorithm{Spatial subdivision: section 4.1}
 /// \verified{All broad phases agree on thousands of random scenes}
-class Octree final : public CellTree {
+class Octree final : public Cloned<CellTree, Octree> {
  public:
   [[nodiscard]] std::string_view name() const override { return "octree"; }
-  [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override {
-    return std::make_unique<Octree>(*this);
-  }
 
  private:
   [[nodiscard]] Cut cut_of(std::span<const Bounds> bounds, std::span<const int> bodies,

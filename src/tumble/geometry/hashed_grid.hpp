@@ -2,6 +2,7 @@
 /// \brief The broad phase that sorts bodies into the cells of a hashed grid (thesis 4.1).
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
 namespace tumble {
@@ -21,12 +22,9 @@ namespace tumble {
 ///      Detection of Deformable Objects", VMV 2003.
 /// \algorithm{Spatial subdivision: section 4.1}
 /// \verified{All broad phases agree on thousands of random scenes}
-class HashedGrid final : public BroadPhase {
+class HashedGrid final : public Cloned<BroadPhase, HashedGrid> {
  public:
   [[nodiscard]] std::string_view name() const override { return "hashed_grid"; }
-  [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override {
-    return std::make_unique<HashedGrid>(*this);
-  }
 
  private:
   using Cell = Eigen::Vector3i;  // where a cell is, in edges from the origin

@@ -2,6 +2,7 @@
 /// \brief The broad phase that sweeps a plane over the scene (thesis 4.1).
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/geometry/broad_phase.hpp"
 
 #include <array>
@@ -26,12 +27,9 @@ namespace tumble {
 ///      Manocha, Ponamgi, "I-COLLIDE", I3D 1995.
 /// \algorithm{Spatial subdivision: section 4.1}
 /// \verified{All broad phases agree on thousands of random scenes}
-class SweepAndPrune final : public BroadPhase {
+class SweepAndPrune final : public Cloned<BroadPhase, SweepAndPrune> {
  public:
   [[nodiscard]] std::string_view name() const override { return "sweep_and_prune"; }
-  [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override {
-    return std::make_unique<SweepAndPrune>(*this);
-  }
 
  private:
   // How one axis across the sweep is cut: column k begins at low + k width; the first and the last

@@ -15,7 +15,8 @@ namespace tumble {
 Damped::Damped(const DampedOptions& options)
     : options_(options),
       gatherer_(options.normals, options.points),
-      areas_(NormalRule::separation, PointRule::area) {
+      areas_(NormalRule::separation, PointRule::area),
+      margins_(NormalRule::separation, PointRule::area) {
   require::not_negative(options.collision_passes, "collision_passes");
   require::not_negative(options.contact_passes, "contact_passes");
   require::not_negative(options.noise.speed, "noise.speed");
@@ -23,8 +24,6 @@ Damped::Damped(const DampedOptions& options)
   require::not_negative(options.noise.restitution, "noise.restitution");
   check(options.numbers);
 }
-
-std::unique_ptr<Technique> Damped::clone() const { return std::make_unique<Damped>(*this); }
 
 std::vector<std::string> Damped::ignores(const World& world) const {
   const auto rubs = [](const BodyProperties& body) { return body.friction > 0.0; };
@@ -153,7 +152,7 @@ void Damped::end(World& world, double dt, StepReport& report) {
       margin = std::max(margin, tolerance::stability_margin * body.size.minCoeff());
   const SleepingRule* sleeping = options_.sleeping ? &sleeping_ : nullptr;
   const PairReport near =
-      areas_.gather(world, world.states(), world.states(), sleeping, margin, collisions_);
+      margins_.gather(world, world.states(), world.states(), sleeping, margin, collisions_);
   report.pair_tests += near.pair_tests;
   // [DAMPEDINTEGRATION:6]
   stability_.run(world, collisions_, options_.stable_boxes, options_.numbers.eps9, stable_);

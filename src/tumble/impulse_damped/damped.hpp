@@ -2,6 +2,7 @@
 /// \brief Damped integration, the thesis's own technique (thesis 5.2 to 5.4, A.2).
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/contact/islands.hpp"
 #include "tumble/dynamics/technique.hpp"
@@ -104,7 +105,7 @@ void describe(DampedOptions& o, Visitor& v) {
 /// \algorithm{DAMPEDINTEGRATION: section 5.2 and appendix A.2}
 /// \deviation{Overlap is looked for again after bodies have moved.}
 /// \verified{A cube at rest stays where it is to the last bit}
-class Damped : public Technique {
+class Damped : public Cloned<Technique, Damped> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for a number of passes below 0, or constants out of range
@@ -112,7 +113,6 @@ class Damped : public Technique {
 
   [[nodiscard]] std::string_view name() const override { return "damped"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
 
@@ -140,6 +140,8 @@ class Damped : public Technique {
   // Storage of one step, kept so that a warm step asks for no memory.
   PairGatherer gatherer_;  // by the rules of the options
   PairGatherer areas_;     // exact, all points
+  PairGatherer
+      margins_;  // ditto, and what is near: by itself, so that each knows what it found before
   DampedBodies bodies_;
   Collide collide_;
   ShockPropagation shock_;

@@ -4,7 +4,6 @@
 
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
-#include "tumble/geometry/separation.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -57,13 +56,23 @@ FixReport FixContactConstraints::run(World& world, std::span<const Contact> cont
   const auto can_move = [&](int b) {
     return world.bodies()[idx(b)].movable() && !world.sleep_states()[idx(b)].asleep;
   };
+  // What was found of a pair holds for its other points until one of the two is pushed.
+  known_.assign(contacts.size(), Known{});
+  pushes_.assign(world.bodies().size(), 0);
+  const auto separation_now = [&](int contact) {
+    const int first = contacts[idx(contact)].first, second = contacts[idx(contact)].second;
+    const std::array<int, 2> pushes{pushes_[idx(first)], pushes_[idx(second)]};
+    Known& known = known_[idx(contact)];
+    if (known.pushes != pushes) known = {separation_of(world, first, second), pushes};
+    ++report.pair_tests;
+    return known.found;
+  };
   // [FIXCONTACTCONSTRAINTS:2-5]
   for (const Point& visited : sorted_) {
     // The upper body is the one towards which the normal rises.
     // If that one cannot move, the lower one does, downwards.
     const Contact& contact = contacts[idx(visited.contact)];
-    Separation found = separation_of(world, contact.first, contact.second);
-    ++report.pair_tests;
+    Separation found = separation_now(visited.contact);
     const bool second_is_upper = found.normal_w.y() >= 0.0;
     int moving_object = second_is_upper ? contact.second : contact.first;
     int stable_object = second_is_upper ? contact.first : contact.second;
@@ -81,8 +90,8 @@ FixReport FixContactConstraints::run(World& world, std::span<const Contact> cont
     while (found.distance < -rounding && pushes < kMostPushes) {
       world.states()[idx(moving_object)].position_w += push * offset_vector_w;
       report.energy -= body.mass * push * world.gravity_w.dot(offset_vector_w);
-      found = separation_of(world, contact.first, contact.second);
-      ++report.pair_tests;
+      ++pushes_[idx(moving_object)];
+      found = separation_now(visited.contact);
       ++pushes;
     }
     // [FIXCONTACTCONSTRAINTS:6-7]

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "tumble/contact/contact.hpp"
+#include "tumble/geometry/separation.hpp"
 #include "tumble/impulse_damped/damped_numbers.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -53,7 +55,14 @@ class FixContactConstraints {
     int contact = 0;
     int point = 0;
   };
+  // How a pair lies, and how often each of the two had been pushed when that was found.
+  struct Known {
+    Separation found{};
+    std::array<int, 2> pushes{-1, -1};
+  };
   std::vector<Point> sorted_;
+  std::vector<Known> known_;  // by contact
+  std::vector<int> pushes_;   // by body
 };
 
 }  // namespace tumble

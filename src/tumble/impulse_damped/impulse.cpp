@@ -29,8 +29,6 @@ Impulse::Impulse(const ImpulseOptions& options) : options_(options), push_(optio
   require::not_negative(options.sticky, "sticky");
 }
 
-std::unique_ptr<Technique> Impulse::clone() const { return std::make_unique<Impulse>(*this); }
-
 StepReport Impulse::step(World& world, double dt) {
   return step_in_parts(world, dt, [&](World& w, double part, int) { return step_part(w, part); });
 }

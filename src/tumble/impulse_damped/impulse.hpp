@@ -5,6 +5,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/contact/graph.hpp"
 #include "tumble/contact/repair.hpp"
@@ -126,7 +127,7 @@ void describe(ImpulseOptions& o, Visitor& v) {
 /// \algorithm{Impulses with contact levels and shock propagation: section 2.5.2}
 /// \deviation{All points of a contact area are solved together, and the graph of support follows from the normals, where the authors take one point after the other and let each body fall alone.}
 /// \verified{A stack of ten rests under shock propagation}
-class Impulse : public Technique {
+class Impulse : public Cloned<Technique, Impulse> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for a count below 1 or a negative threshold
@@ -134,7 +135,6 @@ class Impulse : public Technique {
 
   [[nodiscard]] std::string_view name() const override { return "impulse"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
 
  private:

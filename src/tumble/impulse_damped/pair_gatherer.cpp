@@ -67,6 +67,7 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
   out.clear();
   PairReport report;
   searched_.clear();
+  manifolds_.clear();
   std::size_t next = 0;  // of the last search
   for (const IndexPair& pair : pairs_) {
     const BodyProperties& a = bodies[idx(pair.first)];
@@ -81,23 +82,28 @@ PairReport PairGatherer::gather(const World& world, std::span<const BodyState> l
     while (next < before_.size() && before_[next].pair < pair) ++next;
     const bool known = next < before_.size() && before_[next].pair == pair &&
                        moved_[idx(pair.first)] == 0 && moved_[idx(pair.second)] == 0;
-    searched_.push_back(known ? before_[next] : Searched{pair, false, {}});
-    Searched& search = searched_.back();
-    if (!known && touch_pair(world, pair, boxes_[idx(pair.first)], boxes_[idx(pair.second)], margin,
-                             kNoAxis, search.manifold)) {
-      search.touch = true;
-      if (a.shape == Shape::box && b.shape == Shape::box)
-        turn_normal(pair, margin, search.manifold);
+    bool touch = false;
+    if (known) {
+      touch = before_[next].manifold >= 0;
+      if (touch) manifold_ = manifolds_before_[idx(before_[next].manifold)];
+    } else if (touch_pair(world, pair, boxes_[idx(pair.first)], boxes_[idx(pair.second)], margin,
+                          kNoAxis, manifold_)) {
+      touch = true;
+      if (a.shape == Shape::box && b.shape == Shape::box) turn_normal(pair, margin, manifold_);
     }
-    if (!search.touch) continue;
-    Contact& contact = out.emplace_back(contact_of(world, pair));
-    contact.axis = search.manifold.axis;
-    set_points(search.manifold, contact);
+    searched_.push_back({pair, touch ? static_cast<int>(manifolds_.size()) : -1});
+    if (!touch) continue;
+    manifolds_.push_back(manifold_);
+    Contact& contact = out.emplace_back();
+    set_pair(world, pair, contact);
+    contact.axis = manifold_.axis;
+    set_points(manifold_, contact);
     for (int p = 0; p < contact.count; ++p)
       report.deepest_overlap = std::max(report.deepest_overlap, -contact.points[idx(p)].distance);
     if (points_ == PointRule::one) reduce_to_one(shortest_edge(a, b), contact);
   }
   std::swap(searched_, before_);
+  std::swap(manifolds_, manifolds_before_);
   return report;
 }
 
@@ -130,21 +136,29 @@ bool PairGatherer::place_boxes(std::span<const BodyProperties> bodies,
   return any || other;
 }
 
+// The faces of bodies that began the last step elsewhere are forgotten, and what was found along their normals.
 void PairGatherer::remember(std::span<const BodyProperties> bodies,
                             std::span<const BodyState> last) {
-  bool same = last_.size() == last.size();
-  for (std::size_t k = 0; same && k < last.size(); ++k)
-    same = unmoved(last_[k], last[k]) && last_sizes_[k] == bodies[k].size;
-  if (same) return;
-  before_.clear();  // its normals are those of other faces
-  last_.assign(last.begin(), last.end());
-  last_faces_.clear();
-  last_sizes_.clear();
-  last_boxes_.resize(bodies.size());
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    last_sizes_.push_back(bodies[k].size);
+  bool any = false;
+  const bool other = last_.size() != last.size();
+  last_.resize(last.size());
+  last_sizes_.resize(last.size());
+  last_boxes_.resize(last.size());
+  moved_.assign(last.size(), 0);
+  for (std::size_t k = 0; k < last.size(); ++k) {
+    if (!other && unmoved(last_[k], last[k]) && last_sizes_[k] == bodies[k].size) continue;
+    moved_[k] = 1;
+    any = true;
+    last_[k] = last[k];
+    last_sizes_[k] = bodies[k].size;
     if (bodies[k].shape == Shape::box) last_boxes_[k] = box_of(bodies[k], last[k]);
   }
+  if (!any) return;
+  const auto stale = [&](const auto& found) {
+    return other || moved_[idx(found.pair.first)] != 0 || moved_[idx(found.pair.second)] != 0;
+  };
+  std::erase_if(before_, stale);
+  std::erase_if(last_faces_, stale);
 }
 
 const PairGatherer::LastFace& PairGatherer::last_face(const IndexPair& pair) {

@@ -85,8 +85,7 @@ class PairGatherer {
   // What the last search found of a pair that is near.
   struct Searched {
     IndexPair pair;
-    bool touch = false;
-    Manifold manifold;
+    int manifold = -1;  // its place among those of the search; -1: they do not touch
   };
 
   bool place_boxes(std::span<const BodyProperties> bodies, std::span<const BodyState> now,
@@ -104,11 +103,14 @@ class PairGatherer {
   // Of the last search. A pass of a step moves few bodies, so most pairs are as they were.
   std::vector<BodyState> now_;
   std::vector<Vec3> sizes_;
-  std::vector<char> moved_;         // since the search before
-  std::vector<Searched> before_;    // sorted by pair
+  std::vector<char> moved_;       // since the search before
+  std::vector<Searched> before_;  // sorted by pair
+  std::vector<Manifold> manifolds_before_;
   std::vector<Searched> searched_;  // ditto, of the search that is going on
-  double margin_ = 0.0;             // [m]
-  // Of the start of the step, which all passes of a step share: found again if any pose or size has changed.
+  std::vector<Manifold> manifolds_;
+  Manifold manifold_;    // of the pair that is looked at
+  double margin_ = 0.0;  // [m]
+  // Of the start of the step, which all passes of a step share: found again of bodies whose pose or size has changed.
   std::vector<BodyState> last_;
   std::vector<Vec3> last_sizes_;
   std::vector<Box> last_boxes_;

@@ -37,11 +37,7 @@ Microcollisions::Microcollisions(const MicrocollisionsOptions& options)
 }
 
 Microcollisions::Microcollisions(const Microcollisions& other)
-    : Technique(other), options_(other.options_), broad_phase_(other.broad_phase_->clone()) {}
-
-std::unique_ptr<Technique> Microcollisions::clone() const {
-  return std::make_unique<Microcollisions>(*this);
-}
+    : Cloned(other), options_(other.options_), broad_phase_(other.broad_phase_->clone()) {}
 
 StepReport Microcollisions::step(World& world, double dt) {
   require_step(dt, {.resolution = kResolution});

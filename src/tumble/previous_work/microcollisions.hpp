@@ -4,6 +4,7 @@
 /// Uses the chapter `timewarp` for its queue of collisions.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/contact/contact.hpp"
 #include "tumble/contact/repair.hpp"
@@ -72,7 +73,7 @@ void describe(MicrocollisionsOptions& o, Visitor& v) {
 /// \algorithm{Microcollisions: section 2.5.2}
 /// \deviation{Times are those of a conservative search in place of bounds in the queue; bodies touch in place of coming closer than an envelope; slow impacts part with one speed.}
 /// \verified{A box on a slope below the angle of friction stays, on a train of microcollisions}
-class Microcollisions : public Technique {
+class Microcollisions : public Cloned<Technique, Microcollisions> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for a value out of range
@@ -84,7 +85,6 @@ class Microcollisions : public Technique {
 
   [[nodiscard]] std::string_view name() const override { return "microcollisions"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
 
  private:

@@ -90,12 +90,8 @@ void require_valid(const ImpactNoiseOptions& options) {
 
 NoisyImpacts::NoisyImpacts(std::unique_ptr<Technique> inner, ImpactNoise noise,
                            const ImpactNoiseOptions& options)
-    : WrappedTechnique(std::move(inner)), noise_(std::move(noise)), options_(options) {
+    : Cloned(std::move(inner)), noise_(std::move(noise)), options_(options) {
   require_valid(options);
-}
-
-std::unique_ptr<Technique> NoisyImpacts::clone() const {
-  return std::make_unique<NoisyImpacts>(*this);
 }
 
 StepReport NoisyImpacts::step(World& world, double dt) {

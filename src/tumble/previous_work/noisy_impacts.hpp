@@ -2,6 +2,7 @@
 /// \brief Any technique, with noise in its fast impacts (thesis 2.4.2).
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/contact/moving_body.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/wrapped_technique.hpp"
@@ -41,7 +42,7 @@ void require_valid(const ImpactNoiseOptions& options);
 /// The impact's values depend on its name alone, and change nothing before it. (2.4.2)
 /// \see Barzel, Hughes, Wood, "Plausible motion simulation for computer graphics animation", 1996.
 /// \verified{Noise in impacts keeps momentum and never adds energy beyond restitution}
-class NoisyImpacts : public WrappedTechnique {
+class NoisyImpacts : public Cloned<WrappedTechnique, NoisyImpacts> {
  public:
   /// Wraps a technique.
   /// \throws std::invalid_argument for no technique, or an option out of range
@@ -49,7 +50,6 @@ class NoisyImpacts : public WrappedTechnique {
                const ImpactNoiseOptions& options = {});
 
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
 
   /// The fast impacts so far: their names, in the order in which they happened.
   [[nodiscard]] std::span<const ImpactName> impacts() const { return impacts_; }

@@ -35,8 +35,6 @@ Optimised::Optimised(const OptimisedOptions& options) : options_(options) {
                 "budget = " + std::to_string(options.budget) + ": expected 1 or more");
 }
 
-std::unique_ptr<Technique> Optimised::clone() const { return std::make_unique<Optimised>(*this); }
-
 StepReport Optimised::step(World& world, double dt) {
   require::positive(dt, "dt");
   StepReport report;

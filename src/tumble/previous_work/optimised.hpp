@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/contact/sticky.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
@@ -78,7 +79,7 @@ struct OptimisedWork {
 /// \algorithm{Animation by optimisation: section 2.7.2}
 /// \deviation{A descent with a budget in place of exact quadratic programs\; friction in both of them in place of a third.}
 /// \verified{A box that falls lands in one step of any length}
-class Optimised : public Technique {
+class Optimised : public Cloned<Technique, Optimised> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for a value out of range
@@ -86,7 +87,6 @@ class Optimised : public Technique {
 
   [[nodiscard]] std::string_view name() const override { return "optimised"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   /// What the programs have cost so far.
   [[nodiscard]] const OptimisedWork& work() const { return work_; }

@@ -51,8 +51,6 @@ Penalty::Penalty(const PenaltyOptions& options) : options_(options) {
                 "substeps = " + std::to_string(options.substeps) + ": expected 1 or more");
 }
 
-std::unique_ptr<Technique> Penalty::clone() const { return std::make_unique<Penalty>(*this); }
-
 std::vector<std::string> Penalty::ignores(const World& world) const {
   std::vector<double> all;
   for (const BodyProperties& body : world.bodies()) all.push_back(body.restitution);

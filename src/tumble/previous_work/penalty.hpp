@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
@@ -73,7 +74,7 @@ void describe(PenaltyOptions& o, Visitor& v) {
 /// \algorithm{Penalty forces: section 2.5.1}
 /// \deviation{Friction is smoothed and has no memory. A contact only pushes, unless pull=on.}
 /// \verified{A cube on springs sinks by m g / k}
-class Penalty : public Technique {
+class Penalty : public Cloned<Technique, Penalty> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for a value out of range
@@ -81,7 +82,6 @@ class Penalty : public Technique {
 
   [[nodiscard]] std::string_view name() const override { return "penalty"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
 

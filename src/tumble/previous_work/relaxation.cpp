@@ -26,8 +26,6 @@ Relaxation::Relaxation(const RelaxationOptions& options) : options_(options) {
                 "passes = " + std::to_string(options.passes) + ": expected 1 or more");
 }
 
-std::unique_ptr<Technique> Relaxation::clone() const { return std::make_unique<Relaxation>(*this); }
-
 std::vector<std::string> Relaxation::ignores(const World& world) const {
   const auto bounces = [](const BodyProperties& body) { return body.restitution > 0.0; };
   if (std::none_of(world.bodies().begin(), world.bodies().end(), bounces)) return {};

@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/dynamics/technique.hpp"
@@ -44,7 +45,7 @@ void describe(RelaxationOptions& o, Visitor& v) {
 /// \algorithm{Boxes of rods, contacts by projection: section 2.3}
 /// \deviation{Friction adds up over the passes and is bounded by Coulomb's law; Jakobsen takes off a share of the slip.}
 /// \verified{A box of rods that lands flat keeps no speed}
-class Relaxation : public Technique {
+class Relaxation : public Cloned<Technique, Relaxation> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for no pass
@@ -52,7 +53,6 @@ class Relaxation : public Technique {
 
   [[nodiscard]] std::string_view name() const override { return "relaxation"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
 

@@ -26,8 +26,6 @@ Settling::Settling(const SettlingOptions& options) : options_(options) {
                 "budget = " + std::to_string(options.budget) + ": expected 1 or more");
 }
 
-std::unique_ptr<Technique> Settling::clone() const { return std::make_unique<Settling>(*this); }
-
 std::vector<std::string> Settling::ignores(const World&) const {
   return {"velocities", "friction", "restitution"};
 }

@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/previous_work/near_points.hpp"
@@ -44,7 +45,7 @@ void describe(SettlingOptions& o, Visitor& v) {
 /// \algorithm{Potential energy minimised: section 2.7.1}
 /// \deviation{A quadratic program with a quadratic trust region in place of linear programs.}
 /// \verified{Settled boxes carry their weight with the forces of a minimum}
-class Settling : public Technique {
+class Settling : public Cloned<Technique, Settling> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for a value out of range
@@ -52,7 +53,6 @@ class Settling : public Technique {
 
   [[nodiscard]] std::string_view name() const override { return "settling"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
 

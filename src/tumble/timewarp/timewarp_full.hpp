@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/dynamics/pair_search.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/timewarp/body_history.hpp"
@@ -80,14 +81,13 @@ struct TimewarpWork {
 /// \see Mirtich, "Timewarp rigid body simulation", SIGGRAPH 2000; Jefferson, "Virtual time", ACM
 ///      Trans. Program. Lang. Syst. 7, 1985.
 /// \verified{Swept, full timewarp and a search over all bodies find the same collisions}
-class TimewarpFull final : public Technique {
+class TimewarpFull final : public Cloned<Technique, TimewarpFull> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for an option out of range
   explicit TimewarpFull(const TimewarpFullOptions& options = {});
   [[nodiscard]] std::string_view name() const override { return "timewarp_full"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
 
   /// Counts of rollbacks since it was made.

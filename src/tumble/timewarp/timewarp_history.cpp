@@ -10,10 +10,6 @@
 
 namespace tumble {
 
-std::unique_ptr<Technique> TimewarpFull::clone() const {
-  return std::make_unique<TimewarpFull>(*this);
-}
-
 // Integrating a brick's rotation has an error that grows with the step: a long flight takes several.
 Milestone TimewarpFull::milestone(int body, double time, const BodyState& state,
                                   std::int64_t collision) const {

@@ -9,11 +9,7 @@
 namespace tumble {
 
 TimewarpSafer::TimewarpSafer(const TimewarpOptions& options)
-    : SynchronisedTimewarp(options, SearchMethod::discrete) {}
-
-std::unique_ptr<Technique> TimewarpSafer::clone() const {
-  return std::make_unique<TimewarpSafer>(*this);
-}
+    : Cloned(options, SearchMethod::discrete) {}
 
 // | symbol        | meaning                                                  | unit |
 // |---------------|----------------------------------------------------------|------|

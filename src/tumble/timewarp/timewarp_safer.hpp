@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/timewarp/synchronised_timewarp.hpp"
 
 namespace tumble {
@@ -23,7 +24,7 @@ namespace tumble {
 /// \deviation{Resting pairs are deferred to the end of the frame, since the listing would not terminate.}
 /// \deviation{Immovable bodies are not stamped, and collisions predicted with them are kept.}
 /// \verified{At the end of a frame no body's time stamp is ahead of its state}
-class TimewarpSafer final : public SynchronisedTimewarp {
+class TimewarpSafer final : public Cloned<SynchronisedTimewarp, TimewarpSafer> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for a resolution not above 0 or less than one event a pair
@@ -34,7 +35,6 @@ class TimewarpSafer final : public SynchronisedTimewarp {
   /// \return the report; `restarts` counts the collisions put back for an earlier one
   /// \throws std::invalid_argument for a dt that is not finite and above 0
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
 };
 
 }  // namespace tumble

@@ -9,11 +9,7 @@
 namespace tumble {
 
 TimewarpSimple::TimewarpSimple(const TimewarpOptions& options)
-    : SynchronisedTimewarp(options, SearchMethod::discrete) {}
-
-std::unique_ptr<Technique> TimewarpSimple::clone() const {
-  return std::make_unique<TimewarpSimple>(*this);
-}
+    : Cloned(options, SearchMethod::discrete) {}
 
 // | symbol        | meaning                                                  | unit |
 // |---------------|----------------------------------------------------------|------|

@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/timewarp/synchronised_timewarp.hpp"
 
 namespace tumble {
@@ -27,7 +28,7 @@ namespace tumble {
 /// \deviation{Immovable bodies are not stamped, and collisions predicted with them are kept.}
 /// \verified{Three boxes on a line collide at the times of the closed form}
 /// \verified{At the end of a frame no body's time stamp is ahead of its state}
-class TimewarpSimple final : public SynchronisedTimewarp {
+class TimewarpSimple final : public Cloned<SynchronisedTimewarp, TimewarpSimple> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for a resolution not above 0 or less than one event a pair
@@ -35,7 +36,6 @@ class TimewarpSimple final : public SynchronisedTimewarp {
 
   [[nodiscard]] std::string_view name() const override { return "timewarp_simple"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
 };
 
 }  // namespace tumble

@@ -9,11 +9,7 @@
 namespace tumble {
 
 TimewarpSwept::TimewarpSwept(const TimewarpSweptOptions& options)
-    : SynchronisedTimewarp(options, SearchMethod::conservative), options_(options) {}
-
-std::unique_ptr<Technique> TimewarpSwept::clone() const {
-  return std::make_unique<TimewarpSwept>(*this);
-}
+    : Cloned(options, SearchMethod::conservative), options_(options) {}
 
 // [S5.1:swept]
 // As in the simple form: test states at the end of the frame, a queue, the earliest collision first,

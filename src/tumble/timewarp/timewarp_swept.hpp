@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/timewarp/synchronised_timewarp.hpp"
 
 namespace tumble {
@@ -39,7 +40,7 @@ void describe(TimewarpSweptOptions& o, Visitor& v) {
 /// As TimewarpSimple; the faster bodies spin, the more tests a search takes.
 /// \algorithm{Timewarp with swept volumes: section 5.1}
 /// \verified{Swept, full timewarp and a search over all bodies find the same collisions}
-class TimewarpSwept final : public SynchronisedTimewarp {
+class TimewarpSwept final : public Cloned<SynchronisedTimewarp, TimewarpSwept> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for a resolution not above 0 or less than one event a pair
@@ -47,7 +48,6 @@ class TimewarpSwept final : public SynchronisedTimewarp {
 
   [[nodiscard]] std::string_view name() const override { return "timewarp_swept"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
 
  private:
   void take_moment(const World& world);

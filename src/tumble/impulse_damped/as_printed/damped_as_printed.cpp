@@ -38,10 +38,6 @@ DampedAsPrinted::DampedAsPrinted(const DampedAsPrintedOptions& options)
   require_base(options.loop_base, "loop_base");
 }
 
-std::unique_ptr<Technique> DampedAsPrinted::clone() const {
-  return std::make_unique<DampedAsPrinted>(*this);
-}
-
 std::vector<std::string> DampedAsPrinted::ignores(const World& world) const {
   const bool rough = std::any_of(world.bodies().begin(), world.bodies().end(),
                                  [](const BodyProperties& body) { return body.friction > 0.0; });

@@ -4,6 +4,7 @@
 /// Uses the chapter geometric_stability for its listing SETGEOMETRICALLYSTABLE.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 #include "tumble/impulse_damped/as_printed/damped_errata.hpp"
@@ -60,7 +61,7 @@ struct DampedAsPrintedOptions {
 /// \deviation{Pushes are capped, and immovable bodies keep their place whatever is done to their velocity.}
 /// \verified{With all misprints mended the printed listings keep a cube at rest where it is}
 /// \verified{Damped integration as printed ends every step with finite numbers, whatever is mended}
-class DampedAsPrinted final : public Technique {
+class DampedAsPrinted final : public Cloned<Technique, DampedAsPrinted> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for passes below 0, a cap below 1, an index or loop base that is
@@ -69,7 +70,6 @@ class DampedAsPrinted final : public Technique {
 
   [[nodiscard]] std::string_view name() const override { return "damped"; }
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return records_; }
   [[nodiscard]] std::vector<std::string> ignores(const World& world) const override;
 

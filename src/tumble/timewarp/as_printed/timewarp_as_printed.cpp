@@ -18,10 +18,6 @@ std::string_view TimewarpAsPrinted::name() const {
   return options_.listing == TimewarpListing::simple ? "timewarp_simple" : "timewarp_safer";
 }
 
-std::unique_ptr<Technique> TimewarpAsPrinted::clone() const {
-  return std::make_unique<TimewarpAsPrinted>(*this);
-}
-
 StepReport TimewarpAsPrinted::step(World& world, double dt) {
   queries_.begin(world, dt, observer());
   passes_ = 0;

@@ -4,6 +4,7 @@
 /// Uses no other chapter.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/timewarp/as_printed/queries_as_printed.hpp"
 #include "tumble/timewarp/as_printed/timewarp_errata.hpp"
 
@@ -45,7 +46,7 @@ namespace tumble {
 /// \deviation{The main loop is capped.}
 /// \verified{With all misprints mended the printed timewarps give the collisions of the forms as meant to the last bit}
 /// \verified{The timewarp as printed ends every step with finite numbers, whatever is mended}
-class TimewarpAsPrinted final : public Technique {
+class TimewarpAsPrinted final : public Cloned<Technique, TimewarpAsPrinted> {
  public:
   /// Makes the technique.
   /// \throws std::invalid_argument for a resolution not above 0, a cap below 1, or less than one
@@ -55,7 +56,6 @@ class TimewarpAsPrinted final : public Technique {
   /// The name of the form as meant: "timewarp_simple" or "timewarp_safer".
   [[nodiscard]] std::string_view name() const override;
   StepReport step(World& world, double dt) override;
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override;
   [[nodiscard]] std::span<const ContactRecord> contacts() const override {
     return queries_.contacts();
   }
