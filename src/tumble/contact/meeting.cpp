@@ -8,7 +8,6 @@
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace tumble {

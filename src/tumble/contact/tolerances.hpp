@@ -129,12 +129,13 @@ inline constexpr double noisy_normal = 0.05;
 inline constexpr double noisy_restitution = 0.1;
 
 /// [-] Height of an edge below which two bodies pass each other there, as a share of the shortest edge. Reason: flush
-/// neighbours that stand on the ground differ by 1e-9, and a step so low is repaired as overlap. (3.2)
-inline constexpr double flush_height = 1e-4;
+/// neighbours that stand on the ground differ by 1e-9, those that a slider of thirty times their mass has pressed down by 1e-4, and a step
+/// so low is repaired as overlap. (3.2)
+inline constexpr double flush_height = 5e-4;
 
 /// [-] How far two bodies are closed to see whether the edge at which they meet has a height, ditto. Reason: ten times
 /// that height, so that the direction in which they meet is not taken for the one without height. (3.2)
-inline constexpr double flush_overlap = 1e-3;
+inline constexpr double flush_overlap = 5e-3;
 
 /// [-] Axes that may separate two boxes one after the other while they pass each other. Reason: without turning two or three do;
 /// the end of a bar that turns by 0.8 rad past a block, at a hundredth of its length from it, needs more than 30. (3.2)

@@ -90,30 +90,27 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
   const double g = world.gravity_w.norm();
   bool any_bounced = false;
   storage_.hit.assign(patches.size(), 0);
-  storage_.impacts.assign(patches.size(), Impact::none);
+  storage_.bounced.assign(patches.size(), 0);
   for (int k = 0; k < memory_.order.islands().count(); ++k) {
-    bool is_hit = false, bounces = false;
+    bool bounces = false;
     for (const int contact : memory_.order.islands().contacts(k)) {
       const ContactPatch& patch = patches[idx(contact)];
       if (!was_hit(patch, slowest_bounce(g, patch.size, storage_.step))) continue;
       storage_.hit[idx(contact)] = 1;
       ++report.events;
-      is_hit = true;
       bounces = bounces || patch.restitution > 0.0;
     }
-    if (!is_hit) continue;
-    const Island island = view_of_island(world, k, dt);
-    if (bounces || !is_small(island))
-      for (const int contact : island.patch_indices)
-        storage_.impacts[idx(contact)] = bounces ? Impact::bounced : Impact::stopped;
     if (!bounces) continue;
+    const Island island = view_of_island(world, k, dt);
     if (!any_bounced) {
       velocities_.before_bounce = velocities_.end;
       storage_.impulses_before_bounce.resize(patches.size());
     }
     any_bounced = true;
-    for (const int contact : island.patch_indices)
+    for (const int contact : island.patch_indices) {
+      storage_.bounced[idx(contact)] = 1;
       storage_.impulses_before_bounce[idx(contact)] = impulses_in(patches[idx(contact)]);
+    }
     ask_for_separation(island, storage_.step);
     if (!sweep_bounce(island, report) && !normal_exceeds_budget(island, effort()))
       solve_bounce(island, memory_.island_solver, storage_.held, report);
@@ -125,24 +122,17 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
     if (storage_.hit[k] != 0) notify_observer(patches[k], dt);
 }
 
-// An impact is over with its step, and its impulses would push bodies apart in the next one. Where an island bounced, no patch
-// begins that with more than it began this one with; where a large one was hit, not with much more. There sweeps would not get
-// rid of it. What bodies weigh on each other grows back within a few steps.
-void ContactDamped::forget_impacts(const World& world) {
+// A bounce is over with its step, and its impulses would push bodies apart in the next one: no patch of an island that bounced
+// begins that with more than it began this one with. What bodies weigh on each other grows back within a few steps.
+void ContactDamped::forget_bounces() {
   const std::span<ContactPatch> patches = memory_.manifolds.patches();
-  const double g = world.gravity_w.norm();
-  for (std::size_t k = 0; k < storage_.impacts.size(); ++k) {
-    if (storage_.impacts[k] == Impact::none) continue;
-    ContactPatch& patch = patches[k];
-    double most = patch.carried_impulse;
-    if (storage_.impacts[k] == Impact::stopped)
-      most = tolerance::impulse_growth * most +
-             tolerance::impulse_regrowth * gravity_in_step(g, patch.size, memory_.last_dt) /
-                 (patch.built_inverse_mass[0] + patch.built_inverse_mass[1]);
-    const double normal = impulse_of(patch)[six::normal];
-    if (normal > most) scale_impulses(most / normal, patch);
+  for (std::size_t k = 0; k < storage_.bounced.size(); ++k) {
+    if (storage_.bounced[k] == 0) continue;
+    const double normal = impulse_of(patches[k])[six::normal];
+    if (normal > patches[k].carried_impulse)
+      scale_impulses(patches[k].carried_impulse / normal, patches[k]);
   }
-  storage_.impacts.clear();
+  storage_.bounced.clear();
 }
 
 // Bodies have turned since their impulses were found, and take their angular momentum with them: in its own frame a

@@ -209,7 +209,7 @@ void ContactDamped::shorten(double dt, double part, const World& world) {
 
 void ContactDamped::find_patches(World& world, double dt, StepReport& report) {
   PersistentManifolds& manifolds = memory_.manifolds;
-  forget_impacts(world);
+  forget_bounces();
   double impulse_ratio = memory_.last_dt > 0.0 ? dt / memory_.last_dt : 1.0;
   for (;;) {
     find_candidates(world, velocities_.free, dt);

@@ -89,7 +89,7 @@ struct ContactDampedOptions {
 ///    these velocities; where they do not settle, all normal impulses are solved for together. A row of touching bodies that
 ///    is hit leaves as one piece, apart from the body that hit it; across gaps, one bounce follows the other, in up to
 ///    kMostBounces parts of the step. Where that asks for more energy than there is, limit_bounce() takes as much of it as
-///    there is. An impact is over then: its impulses are not the start of the next step (forget_impacts()).
+///    there is. A bounce is over then: its impulses are not the start of the next step (forget_bounces()).
 /// 6. Overlap beyond a slop is corrected by displacements; a body keeps its velocity in its own frame, and so its energy.
 /// 7. Islands at rest are put to sleep if that is on.
 ///
@@ -142,8 +142,6 @@ class ContactDamped : public Technique {
     std::vector<MovingBody> end;            // with impulses
     std::vector<MovingBody> before_bounce;  // `end` before something bounced: bodies moved with it
   };
-  // How an island took an impact: nothing hit it, it stopped what did, or it bounced.
-  enum class Impact : std::uint8_t { none, stopped, bounced };
   // Storage of one step, kept so that a warm step allocates nothing.
   struct Storage {
     double step = 0.0;  // [s] the whole step
@@ -158,7 +156,7 @@ class ContactDamped : public Technique {
     std::vector<char> in_flight;        // by body index: pushed by nothing that is held
     std::vector<char> sinks;            // by body index: it would, carried by others
     std::vector<char> hit;              // by patch: an impact too fast to stick
-    std::vector<Impact> impacts;        // by patch: whether its island was hit
+    std::vector<char> bounced;          // by patch: whether its island did
     std::vector<PushedPair> pushed;     // pairs with an impulse
     std::vector<Quat> start_wb;         // orientations at the start of the step
     std::vector<PatchImpulses>
@@ -186,6 +184,8 @@ class ContactDamped : public Technique {
   void load(const World& world, double dt);
   void find_patches(World& world, double dt, StepReport& report);
   void find_candidates(const World& world, std::span<const MovingBody> moves, double dt);
+  [[nodiscard]] bool is_sent_elsewhere(const World& world, double dt) const;
+  bool find_missed(const World& world, double dt);
   void solve_missed(const World& world, double dt, StepReport& report);
   void solve_again(const Island& island, StepReport& report);
   void solve_turning(const World& world, double dt, StepReport& report);
@@ -201,7 +201,7 @@ class ContactDamped : public Technique {
   bool carry(int k, double dt, World& world, StepReport& report) const;
   void move(World& world, double dt, StepReport& report);
   void bounce(World& world, double dt, StepReport& report);
-  void forget_impacts(const World& world);
+  void forget_bounces();
   void correct_overlaps(World& world, double dt, StepReport& report);
   void store_bounced_velocities(World& world);
   void account(const World& world, StepReport& report) const;

@@ -126,6 +126,13 @@ void discard_impulses(const Island& island);
 /// \return [-] 1 if all of them add none
 [[nodiscard]] double share_without_gain(const Island& island);
 
+/// Whether impulses push bodies apart that need no push, as those of an impact do after it. Sweeps would take many more to undo
+/// them: they spread evenly over a row, and each patch finds its own in order. A solution pushes only where
+/// \f$v_n = v^*\f$; so the work \f$\sum \lambda\,(v_n - v^*)\f$ over points that separate faster is compared with the energy
+/// \f$\tfrac12 |\Delta v|_M^2\f$ of the change of velocity in the step.
+/// \return whether it is more than tolerance::work_apart of that
+[[nodiscard]] bool pushes_apart(const Island& island);
+
 /// The impulses, velocities and targets of an island, kept so that another solution can be tried.
 class KeptSolution {
  public:

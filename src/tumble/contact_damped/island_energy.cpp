@@ -4,7 +4,10 @@
 #include "tumble/contact/energy_on_the_way.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/island.hpp"
+#include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/math/sparse_blocks.hpp"
+
+#include <algorithm>
 
 namespace tumble {
 namespace {
@@ -46,6 +49,28 @@ double share_without_gain(const Island& island) {
   EnergyOnTheWay way = kinetic_energy_from(island, island.free);
   way.start = 0.0;  // compared with `free`
   return way.allowed();
+}
+
+bool pushes_apart(const Island& island) {
+  double work = 0.0;
+  for (const int contact : island.patch_indices) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    const Six u = motion_of(patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
+    for (const ContactPatchPoint& p : patch.used())
+      if (p.impulse > 0.0)
+        work += p.impulse * std::max(0.0, velocity_at(p.along, p.across, u).z() - p.target);
+  }
+  const double least =
+      tolerance::work_apart_floor *
+      gravity_in_step(island.world.gravity_w.norm(), shortest_edge(island), island.dt);
+  double energy = 0.0;
+  for (const int k : island.bodies) {
+    const BodyProperties& body = island.world.bodies()[idx(k)];
+    const Vec6 change =
+        motion_in(island, k, island.now[idx(k)]) - motion_in(island, k, island.start[idx(k)]);
+    energy += energy_weights(body).dot(change.cwiseAbs2()) + 0.5 * body.mass * least * least;
+  }
+  return work > tolerance::work_apart * energy;
 }
 
 void limit_energy(const Island& island, double share, StepReport& report) {

@@ -6,8 +6,8 @@
 #include "tumble/contact/gather.hpp"
 #include "tumble/contact/meeting.hpp"
 #include "tumble/contact/movable_edge.hpp"
-#include "tumble/contact_damped/grazed_edges.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/grazed_edges.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/geometry/nearest_point.hpp"
 
@@ -174,15 +174,18 @@ ContactPatch& PersistentManifolds::add_patch(const World& world, const IndexPair
   return patch;
 }
 
-// Looks where a pair can come together within the step. If it can, a patch is added at the end.
+// Looks where a pair can come together within the step. If it can, a patch is added at the end. A pair that was pushed together
+// in the step before has one although it would pass if nothing stopped it: what pushed it mostly does so again.
 bool PersistentManifolds::look_for_patch(const World& world, const IndexPair& pair,
                                          std::span<const MovingBody> bodies, const Vec3& rest_w,
-                                         const Vec3& gained_w, double dt, AxisIndex axis) {
+                                         const Vec3& gained_w, double dt,
+                                         const ContactPatch* previous) {
   const MovingBody& first = bodies[idx(pair.first)];
   const MovingBody& second = bodies[idx(pair.second)];
   const double margin = margin_of(world, pair, bodies, dt);
   const double reach = approach_of_pair(rest_w, first, second, dt) + margin;
   Manifold manifold;
+  const AxisIndex axis = previous != nullptr ? previous->axis : kNoAxis;
   if (!find_points_ahead(world, pair, reach, axis, manifold)) return false;
   const double approach = approach_along(manifold.normal_w, rest_w, first, second, dt);
   if (!has_point_within(manifold, approach + margin)) return false;
@@ -190,7 +193,8 @@ bool PersistentManifolds::look_for_patch(const World& world, const IndexPair& pa
       movable_edge(world.bodies()[idx(pair.first)], world.bodies()[idx(pair.second)]);
   const MeetingFound met = find_meeting(world, pair, manifold, size, tolerance::contact_slop * size,
                                         bodies, gained_w, dt);
-  if (met.meeting == Meeting::pass) return false;
+  const bool pushed = previous != nullptr && impulse_of(*previous)[six::normal] > 0.0;
+  if (met.meeting == Meeting::pass && !pushed) return false;
   add_patch(world, pair, manifold, first, second, reach).flat_w = met.flat_w;
   return true;
 }
@@ -231,8 +235,7 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
         patches_.push_back(*previous);
     } else {
       ++found.pair_tests;
-      const AxisIndex axis = previous != nullptr ? previous->axis : kNoAxis;
-      if (!look_for_patch(world, pair, bodies, rest_w, gained_w, dt, axis)) continue;
+      if (!look_for_patch(world, pair, bodies, rest_w, gained_w, dt, previous)) continue;
       copy_kept();
       if (previous != nullptr) transfer_impulses(*previous, patches_.back());
     }
@@ -277,18 +280,17 @@ int PersistentManifolds::add_missed(const World& world, std::span<const MovingBo
     if (next < found && belongs_to(patches_[next], first_id, second_id)) continue;
     if ((stays(pair.first) && stays(pair.second)) || sleeps(pair.first) || sleeps(pair.second))
       continue;
-    if (!look_for_patch(world, pair, bodies, rest_w, Vec3::Zero(), dt, kNoAxis)) continue;
+    if (!look_for_patch(world, pair, bodies, rest_w, Vec3::Zero(), dt, nullptr)) continue;
     set_for_step(pair, bodies, dt, patches_.back());
     if (!will_overlap(patches_.back(), bodies, dt)) patches_.pop_back();
   }
-  const auto added = static_cast<int>(patches_.size() - found);
-  if (added == 0) return 0;
+  if (patches_.size() == found) return 0;
   std::inplace_merge(patches_.begin(), patches_.begin() + static_cast<std::ptrdiff_t>(found),
                      patches_.end(), [](const ContactPatch& a, const ContactPatch& b) {
                        return comes_before(a, b.first_id, b.second_id);
                      });
   drop_grazed_edges(bodies, patches_, last);
-  return added;
+  return static_cast<int>(patches_.size() - found);
 }
 
 }  // namespace tumble

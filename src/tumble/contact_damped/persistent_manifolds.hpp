@@ -66,7 +66,8 @@ class PersistentManifolds {
   static bool still_valid(const World& world, const IndexPair& pair, const MovingBody& first,
                           const MovingBody& second, double reach, ContactPatch& patch);
   bool look_for_patch(const World& world, const IndexPair& pair, std::span<const MovingBody> bodies,
-                      const Vec3& rest_w, const Vec3& gained_w, double dt, AxisIndex axis);
+                      const Vec3& rest_w, const Vec3& gained_w, double dt,
+                      const ContactPatch* previous);
   ContactPatch& add_patch(const World& world, const IndexPair& pair, const Manifold& manifold,
                           const MovingBody& first, const MovingBody& second, double reach);
 

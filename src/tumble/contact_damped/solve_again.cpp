@@ -84,8 +84,8 @@ void raise_targets(const Island& island, const BodyMotion& motion) {
 
 }  // namespace
 
-// Impulses may send a body where nothing was found on its way. The islands of such pairs are solved again, with them.
-void ContactDamped::solve_missed(const World& world, double dt, StepReport& report) {
+// Whether impulses send a body where it was not looked for what it meets.
+bool ContactDamped::is_sent_elsewhere(const World& world, double dt) const {
   // Candidates were found along `free`; at rest `end` is `start`, which the margins include.
   const auto differs = [&](std::size_t k, const std::vector<MovingBody>& velocities) {
     const BodyProperties& body = world.bodies()[k];
@@ -94,27 +94,39 @@ void ContactDamped::solve_missed(const World& world, double dt, StepReport& repo
     return dt * fastest_point_speed(body, push_w, turn_w) >
            tolerance::kept_margin * body.size.minCoeff();
   };
-  const auto hit = [&](std::size_t k) {
-    return world.bodies()[k].movable() && differs(k, velocities_.start) &&
-           differs(k, velocities_.free);
-  };
-  bool any = false;
-  for (std::size_t k = 0; k < velocities_.end.size() && !any; ++k) any = hit(k);
-  if (!any) return;
+  for (std::size_t k = 0; k < velocities_.end.size(); ++k)
+    if (world.bodies()[k].movable() && differs(k, velocities_.start) &&
+        differs(k, velocities_.free))
+      return true;
+  return false;
+}
+
+// Adds the pairs that impulses push together. Returns whether there are any.
+bool ContactDamped::find_missed(const World& world, double dt) {
   PersistentManifolds& manifolds = memory_.manifolds;
-  const std::uint64_t last = manifolds.last_stamp();
+  if (!is_sent_elsewhere(world, dt)) return false;
   find_candidates(world, velocities_.end, dt);
-  if (manifolds.add_missed(world, velocities_.end, storage_.candidates, dt) == 0) return;
+  if (manifolds.add_missed(world, velocities_.end, storage_.candidates, dt) == 0) return false;
   storage_.touching.clear();
   for (const ContactPatch& patch : manifolds.patches())
     storage_.touching.push_back({patch.first, patch.second});
   memory_.order.update(world, manifolds.patches(), storage_.touching);
-  for (int k = 0; k < memory_.order.islands().count(); ++k) {
-    const Island island = view_of_island(world, k, dt);
-    if (std::none_of(island.patch_indices.begin(), island.patch_indices.end(),
-                     [&](int contact) { return island.all_patches[idx(contact)].stamp > last; }))
-      continue;
-    solve_again(island, report);
+  return true;
+}
+
+// Impulses may send a body where nothing was found on its way. The islands of such pairs are solved again, with them. That may send
+// the next body on: an impact goes through a row in one step, as far as there is time.
+void ContactDamped::solve_missed(const World& world, double dt, StepReport& report) {
+  std::uint64_t last = memory_.manifolds.last_stamp();
+  for (int n = 0; n < tolerance::rounds_of_missed && find_missed(world, dt); ++n) {
+    for (int k = 0; k < memory_.order.islands().count(); ++k) {
+      const Island island = view_of_island(world, k, dt);
+      if (std::any_of(island.patch_indices.begin(), island.patch_indices.end(),
+                      [&](int contact) { return island.all_patches[idx(contact)].stamp > last; }))
+        solve_again(island, report);
+    }
+    if (storage_.work > 2 * options_.budget) return;
+    last = memory_.manifolds.last_stamp();
   }
 }
 

@@ -1,6 +1,6 @@
 /// \file
 /// \brief Edges without height.
-#include "tumble/contact_damped/grazed_edges.hpp"
+#include "tumble/contact_patches/grazed_edges.hpp"
 
 #include "tumble/base/index.hpp"
 #include "tumble/contact/tolerances.hpp"
