@@ -149,9 +149,8 @@ Result measure_joined(const Parameters& settings) {
 
 const Registered claim_3_3_1d_joined_figure{
     {.name = "claim_3_3_1d_joined",
-     .parameters = Parameters{}
-                       .add_number("step", 1.0 / 60.0, 1e-4, 0.1, "s", "time step")
-                       .add_number("duration", 5.0, 2.0, 60.0, "s", "length of the run"),
+     .parameters = {number("step", 1.0 / 60.0, 1e-4, 0.1, "s", "time step"),
+                    number("duration", 5.0, 2.0, 60.0, "s", "length of the run")},
      .quick = {"duration=3.5"},
      .experiment = measure_joined}};
 

@@ -169,8 +169,7 @@ Result measure_event_search_errata(const Parameters& settings) {
 
 const Registered errata_event_search_figure{
     {.name = "errata_event_search",
-     .parameters = Parameters{}.add_whole("cap", 1000, 20, 100000,
-                                          "impacts at which an endless step is stopped"),
+     .parameters = {whole("cap", 1000, 20, 100000, "impacts at which an endless step is stopped")},
      .quick = {"cap=100"},
      .experiment = measure_event_search_errata}};
 

@@ -211,13 +211,11 @@ Result measure_signed_distance(const Parameters& settings) {
 
 const Registered claim_3_3_2b_signed_distance_figure{
     {.name = "claim_3_3_2b_signed_distance",
-     .parameters =
-         Parameters{}
-             .add_whole("queries", 1000000, 100, 100000000, "random boxes and points")
-             .add_whole("paths", 40000, 10, 1000000,
-                        "random paths of a corner past a box, per speed")
-             .add_number("speed", 2.0, 0.0, 1000.0, "m/s", "of the corner in the histogram")
-             .add_number("spin", 5.0, 0.0, 100.0, "rad/s", "largest spin of either body"),
+     .parameters = {whole("queries", 1000000, 100, 100000000, "random boxes and points"),
+                    whole("paths", 40000, 10, 1000000,
+                          "random paths of a corner past a box, per speed"),
+                    number("speed", 2.0, 0.0, 1000.0, "m/s", "of the corner in the histogram"),
+                    number("spin", 5.0, 0.0, 100.0, "rad/s", "largest spin of either body")},
      .quick = {"queries=20000", "paths=1000"},
      .experiment = measure_signed_distance}};
 

@@ -73,11 +73,9 @@ Result measure_cradle(const Parameters& settings) {
 
 const Registered cradle_figure{
     {.name = "cradle",
-     .parameters =
-         Parameters{}
-             .add_whole("boxes", 5, 2, 12, "how many boxes in the row")
-             .add_whole("moving", 1, 1, 11, "how many of them move at first")
-             .add_number("restitution", 1.0, 0.0, 1.0, "-", "rebound speed over impact speed"),
+     .parameters = {whole("boxes", 5, 2, 12, "how many boxes in the row"),
+                    whole("moving", 1, 1, 11, "how many of them move at first"),
+                    number("restitution", 1.0, 0.0, 1.0, "-", "rebound speed over impact speed")},
      .quick = {"boxes=3"},
      .experiment = measure_cradle}};
 

@@ -91,10 +91,8 @@ Result measure_cost(const Parameters& settings) {
 
 const Registered choose_cost_figure{
     {.name = "choose_cost",
-     .parameters =
-         Parameters{}
-             .add_whole("steps", 4, 1, 1000, "of 1/60 s, over which the work is averaged")
-             .add_flag("patient", false, "run what takes a second or more for a step too"),
+     .parameters = {whole("steps", 4, 1, 1000, "of 1/60 s, over which the work is averaged"),
+                    flag("patient", false, "run what takes a second or more for a step too")},
      .quick = {"steps=1"},
      .experiment = measure_cost}};
 

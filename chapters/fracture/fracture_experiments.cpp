@@ -200,11 +200,10 @@ Result measure_fracture_steps(const Parameters& settings) {
 
 const Registered fracture_steps_figure{
     {.name = "claim_2_4_1a_fracture_steps",
-     .parameters = Parameters{}
-                       .add_whole("fine", 2, 1, 8, "cells through the thickness of plank and wall")
-                       .add_number("transits", 10.0, 1.0, 1000.0, "-",
-                                   "of a wave through the longest edge, for each run")
-                       .add_whole("cells", 8, 2, 16, "largest number along an edge of the cube"),
+     .parameters = {whole("fine", 2, 1, 8, "cells through the thickness of plank and wall"),
+                    number("transits", 10.0, 1.0, 1000.0, "-",
+                           "of a wave through the longest edge, for each run"),
+                    whole("cells", 8, 2, 16, "largest number along an edge of the cube")},
      .quick = {"fine=1", "transits=3", "cells=4"},
      .experiment = measure_fracture_steps}};
 

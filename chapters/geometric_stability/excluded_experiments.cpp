@@ -178,17 +178,16 @@ Result measure_excluded(const Parameters& settings) {
 
 const Registered claim_5_4b_excluded_figure{
     {.name = "claim_5_4b_excluded",
-     .parameters =
-         Parameters{}
-             .add_whole("rows", 11, 3, 21, "of the pyramid that decides; an odd number")
-             .add_whole("largest", 13, 3, 21, "rows of the largest pyramid")
-             .add_number("gap", 0.05, 0.0, 0.9, "-", "between neighbours, in edges")
-             .add_whole("shuffled_rows", 7, 3, 11, "of the one whose contacts are shuffled; odd")
-             .add_whole("knocked_rows", 5, 3, 11, "of the pyramid that is knocked; an odd number")
-             .add_number("knock", 0.2, 0.0, 2.0, "m/s",
-                         "largest component of a velocity at the start")
-             .add_whole("seeds", 20, 2, 1000, "knocks, and orders of contacts")
-             .add_whole("steps", 60, 1, 6000, "of 1/60 s"),
+     .parameters = {whole("rows", 11, 3, 21, "of the pyramid that decides; an odd number"),
+                    whole("largest", 13, 3, 21, "rows of the largest pyramid"),
+                    number("gap", 0.05, 0.0, 0.9, "-", "between neighbours, in edges"),
+                    whole("shuffled_rows", 7, 3, 11, "of the one whose contacts are shuffled; odd"),
+                    whole("knocked_rows", 5, 3, 11,
+                          "of the pyramid that is knocked; an odd number"),
+                    number("knock", 0.2, 0.0, 2.0, "m/s",
+                           "largest component of a velocity at the start"),
+                    whole("seeds", 20, 2, 1000, "knocks, and orders of contacts"),
+                    whole("steps", 60, 1, 6000, "of 1/60 s")},
      .quick = {"rows=7", "largest=7", "shuffled_rows=5", "seeds=2", "steps=20"},
      .experiment = measure_excluded}};
 

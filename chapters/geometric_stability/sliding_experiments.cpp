@@ -157,13 +157,12 @@ Result measure_sliding(const Parameters& settings) {
 
 const Registered claim_5_4d_sliding_figure{
     {.name = "claim_5_4d_sliding",
-     .parameters = Parameters{}
-                       .add_number("offset", -0.4, -0.5, 0.5, "m",
-                                   "of the upper box from the middle at the start")
-                       .add_number("speed", 11.0, 1.0, 50.0, "m/s",
-                                   "of the upper box in the run that is drawn")
-                       .add_number("slowest", 5.0, 0.1, 50.0, "m/s", "of the runs that are counted")
-                       .add_whole("speeds", 10, 1, 50, "of them, 1 m/s apart"),
+     .parameters = {number("offset", -0.4, -0.5, 0.5, "m",
+                           "of the upper box from the middle at the start"),
+                    number("speed", 11.0, 1.0, 50.0, "m/s",
+                           "of the upper box in the run that is drawn"),
+                    number("slowest", 5.0, 0.1, 50.0, "m/s", "of the runs that are counted"),
+                    whole("speeds", 10, 1, 50, "of them, 1 m/s apart")},
      .quick = {"slowest=11", "speeds=3"},
      .experiment = measure_sliding}};
 

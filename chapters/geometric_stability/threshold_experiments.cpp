@@ -110,9 +110,8 @@ Result measure_thresholds(const Parameters& settings) {
 
 const Registered claim_6_3_1d_equilibrium_figure{
     {.name = "claim_6_3_1d_equilibrium",
-     .parameters = Parameters{}
-                       .add_whole("steps", 12, 2, 200, "offsets from -0.24 to 0.24 m")
-                       .add_whole("rows", 8, 2, 10, "of the pyramid whose work is counted"),
+     .parameters = {whole("steps", 12, 2, 200, "offsets from -0.24 to 0.24 m"),
+                    whole("rows", 8, 2, 10, "of the pyramid whose work is counted")},
      .quick = {"steps=4", "rows=4"},
      .experiment = measure_thresholds}};
 

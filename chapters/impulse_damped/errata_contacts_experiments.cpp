@@ -262,9 +262,8 @@ Result measure_contact_errata(const Parameters& settings) {
 
 const Registered errata_contacts_figure{
     {.name = "errata_contacts",
-     .parameters =
-         Parameters{}.add_number("seconds", 5.0, 0.1, 600.0, "s",
-                                 "for which the stack of RK4 is watched, after as long to settle"),
+     .parameters = {number("seconds", 5.0, 0.1, 600.0, "s",
+                           "for which the stack of RK4 is watched, after as long to settle")},
      .quick = {"seconds=1"},
      .experiment = measure_contact_errata}};
 

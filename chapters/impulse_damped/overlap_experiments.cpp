@@ -176,12 +176,10 @@ Result measure_overlap_left(const Parameters& settings) {
 
 const Registered claim_4_4b_overlap_left_figure{
     {.name = "claim_4_4b_overlap_left",
-     .parameters =
-         Parameters{}
-             .add_whole("per_edge", 3, 1, 20, "cubes along each edge of the heap's grid")
-             .add_number("restitution", 0.9, 0.0, 1.0, "-", "of cubes and ground: the thesis's")
-             .add_number("duration", 5.0, 0.2, 600.0, "s", "of each run")
-             .add_whole("seeds", 20, 2, 1000, "heaps"),
+     .parameters = {whole("per_edge", 3, 1, 20, "cubes along each edge of the heap's grid"),
+                    number("restitution", 0.9, 0.0, 1.0, "-", "of cubes and ground: the thesis's"),
+                    number("duration", 5.0, 0.2, 600.0, "s", "of each run"),
+                    whole("seeds", 20, 2, 1000, "heaps")},
      .quick = {"seeds=2", "duration=2"},
      .experiment = measure_overlap_left}};
 

@@ -211,11 +211,10 @@ Result measure_reported(const Parameters& settings) {
 
 const Registered as_reported_figure{
     {.name = "as_reported_6_1",
-     .parameters =
-         Parameters{}
-             .add_whole("seeds", 20, 2, 100, "from 201 on")
-             .add_whole("range_seeds", 1, 0, 100, "of each pair of constants; 0: no pair is tried")
-             .add_number("duration", 10.0, 2.0, 100.0, "s", "of each run"),
+     .parameters = {whole("seeds", 20, 2, 100, "from 201 on"),
+                    whole("range_seeds", 1, 0, 100,
+                          "of each pair of constants; 0: no pair is tried"),
+                    number("duration", 10.0, 2.0, 100.0, "s", "of each run")},
      .quick = {"seeds=2", "range_seeds=0", "duration=7"},
      .experiment = measure_reported}};
 

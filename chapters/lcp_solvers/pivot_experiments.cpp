@@ -102,9 +102,8 @@ Result measure_index_sets(const Parameters& settings) {
 
 const Registered index_sets_figure{
     {.name = "index_sets",
-     .parameters = Parameters{}
-                       .add_number("centre", 1.625, 0.5, 2.2, "m", "middle of the upper plank")
-                       .add_number("post", 1.5, 1.05, 2.5, "m", "place of the third post"),
+     .parameters = {number("centre", 1.625, 0.5, 2.2, "m", "middle of the upper plank"),
+                    number("post", 1.5, 1.05, 2.5, "m", "place of the third post")},
      .experiment = measure_index_sets}};
 
 }  // namespace

@@ -108,7 +108,7 @@ Result measure_articulated(const Parameters& settings) {
 
 const Registered articulated_figure{
     {.name = "claim_2_6_5a_articulated",
-     .parameters = Parameters{}.add_whole("links", 100000, 100, 1000000, "of the longest chain"),
+     .parameters = {whole("links", 100000, 100, 1000000, "of the longest chain")},
      .quick = {"links=1000"},
      .experiment = measure_articulated}};
 

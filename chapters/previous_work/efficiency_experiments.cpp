@@ -147,10 +147,9 @@ Result measure_efficiency(const Parameters& settings) {
 
 const Registered efficiency_figure{
     {.name = "claim_2_4_2b_efficiency",
-     .parameters = Parameters{}
-                       .add_whole("wishes", 20, 2, 1000, "places and faces")
-                       .add_whole("each", 8, 1, 100, "chains, and streams of independent noise")
-                       .add_whole("most", 1000, 1, 100000, "motions that each of them tries"),
+     .parameters = {whole("wishes", 20, 2, 1000, "places and faces"),
+                    whole("each", 8, 1, 100, "chains, and streams of independent noise"),
+                    whole("most", 1000, 1, 100000, "motions that each of them tries")},
      .quick = {"wishes=2", "each=1", "most=30"},
      .experiment = measure_efficiency}};
 

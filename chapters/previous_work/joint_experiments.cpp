@@ -107,11 +107,11 @@ Result measure_crane(const Parameters& settings) {
   return result;
 }
 
-const Registered crane_figure{{.name = "joint_crane",
-                               .parameters = Parameters{}.add_number(
-                                   "interval", 0.7, 0.1, 10.0, "s", "from picture to picture"),
-                               .quick = {"interval=0.3"},
-                               .experiment = measure_crane}};
+const Registered crane_figure{
+    {.name = "joint_crane",
+     .parameters = {number("interval", 0.7, 0.1, 10.0, "s", "from picture to picture")},
+     .quick = {"interval=0.3"},
+     .experiment = measure_crane}};
 
 }  // namespace
 }  // namespace tumble::chapters

@@ -75,11 +75,10 @@ Result measure_stack_microcollisions(const Parameters& settings) {
 
 const Registered microcollisions_figure{
     {.name = "claim_2_5_2a_microcollisions",
-     .parameters =
-         Parameters{}
-             .add_whole("most", 6, 4, 6, "cubes in the highest stack")
-             .add_whole("seeds", 20, 2, 1000, "runs for each height, with random gaps and offsets")
-             .add_number("duration", 1.0, 0.1, 60.0, "s", "in which impacts are counted"),
+     .parameters = {whole("most", 6, 4, 6, "cubes in the highest stack"),
+                    whole("seeds", 20, 2, 1000,
+                          "runs for each height, with random gaps and offsets"),
+                    number("duration", 1.0, 0.1, 60.0, "s", "in which impacts are counted")},
      .quick = {"most=4", "seeds=2", "duration=0.1"},
      .experiment = measure_stack_microcollisions}};
 

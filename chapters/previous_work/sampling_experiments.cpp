@@ -184,15 +184,14 @@ Result measure_sampling(const Parameters& settings) {
 
 const Registered sampling_figure{
     {.name = "chain_motions",
-     .parameters = Parameters{}
-                       .add_whole("seed", 1, 0, 1000000, "of the chains")
-                       .add_whole("motions", 3, 1, 3, "rows of the picture")
-                       .add_number("strictness", 10.0, 0.01, 1000.0, "-", "of the wishes")
-                       .add_whole("proposals", 2000, 1, 100000, "of a chain, at most")
-                       .add_whole("drawn", 400, 1, 100000, "motions without a chain")
-                       .add_number("die_strictness", 30.0, 0.01, 1000.0, "-", "of its wishes")
-                       .add_whole("chains", 8, 1, 1000, "of the die")
-                       .add_whole("die_drawn", 2000, 1, 1000000, "motions without a chain"),
+     .parameters = {whole("seed", 1, 0, 1000000, "of the chains"),
+                    whole("motions", 3, 1, 3, "rows of the picture"),
+                    number("strictness", 10.0, 0.01, 1000.0, "-", "of the wishes"),
+                    whole("proposals", 2000, 1, 100000, "of a chain, at most"),
+                    whole("drawn", 400, 1, 100000, "motions without a chain"),
+                    number("die_strictness", 30.0, 0.01, 1000.0, "-", "of its wishes"),
+                    whole("chains", 8, 1, 1000, "of the die"),
+                    whole("die_drawn", 2000, 1, 1000000, "motions without a chain")},
      .quick = {"seed=11", "motions=1", "proposals=60", "drawn=2", "chains=1", "die_drawn=20"},
      .experiment = measure_sampling}};
 

@@ -125,9 +125,8 @@ Result measure_settling(const Parameters& settings) {
 
 const Registered settling_figure{
     {.name = "claim_2_7_1a_settling",
-     .parameters = Parameters{}
-                       .add_whole("seeds", 10, 1, 100, "clumps")
-                       .add_number("duration", 4.0, 0.5, 100.0, "s", "of the clumps that fall"),
+     .parameters = {whole("seeds", 10, 1, 100, "clumps"),
+                    number("duration", 4.0, 0.5, 100.0, "s", "of the clumps that fall")},
      .quick = {"seeds=2", "duration=1"},
      .experiment = measure_settling}};
 

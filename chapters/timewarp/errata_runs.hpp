@@ -168,12 +168,11 @@ class ErrataBench {
     for (const auto part : parts) part(bench);
     return bench.result;
   };
-  return {
-      .name = name,
-      .parameters = Parameters{}.add_whole(
-          "cap", 1000, 1, 1000000, "passes of the main loop after which an endless run is left"),
-      .quick = {"cap=50"},
-      .experiment = measure};
+  return {.name = name,
+          .parameters = {whole("cap", 1000, 1, 1000000,
+                               "passes of the main loop after which an endless run is left")},
+          .quick = {"cap=50"},
+          .experiment = measure};
 }
 
 }  // namespace tumble::chapters
