@@ -43,11 +43,9 @@ World five_things() {
   return build_world(scene);
 }
 
-const BodyState& state_of(const World& world, int body) {
-  return world.states()[static_cast<std::size_t>(body)];
-}
+const BodyState& state_of(const World& world, int body) { return world.states()[idx(body)]; }
 double speed_of(const World& world, int body) {
-  return velocity(world.bodies()[static_cast<std::size_t>(body)], state_of(world, body)).norm();
+  return velocity(world.bodies()[idx(body)], state_of(world, body)).norm();
 }
 double tilt_of(const World& world) {  // [deg] of the post's long axis from the vertical
   const Vec3 axis_w = state_of(world, post).orientation_wb * Vec3::UnitY();

@@ -1,7 +1,6 @@
 /// \file
 /// \brief Painlevé's rod where Coulomb's law has no answer, and its time steps there (thesis 2.6.3).
 #include "analytic_lcp/painleve_rod.hpp"
-#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

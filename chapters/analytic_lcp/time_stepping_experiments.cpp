@@ -4,7 +4,6 @@
 #include "tumble/contact/gather.hpp"
 
 #include "analytic_lcp/painleve_rod.hpp"
-#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -88,7 +88,7 @@ World after_landing(const Order* order) {
       if (round == most_rounds) throw std::runtime_error("the corners go on colliding");
       quiet = true;
       for (const int corner : *order) {
-        const Vec3& point_w = contacts[0].points[static_cast<std::size_t>(corner)].position_w;
+        const Vec3& point_w = contacts[0].points[idx(corner)].position_w;
         const PointImpulse impulse =
             collide_at_point(moving[0], moving[1], point_w, Vec3::UnitY(), 0.0, kRestitution);
         quiet = quiet && impulse.mode == ImpactMode::none;

@@ -4,7 +4,6 @@
 #include "tumble/math/bracket.hpp"
 
 #include "basic_colliding/free_rotation.hpp"
-#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

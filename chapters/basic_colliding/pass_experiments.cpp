@@ -175,7 +175,7 @@ Result measure_missed_passes(const Parameters& settings) {
     std::array<Quantity, 3> found;
     std::array<Tally, 3> tallies;
     for (int size = 0; size < 3; ++size) {
-      const auto k = static_cast<std::size_t>(size);
+      const auto k = idx(size);
       const Random random = Random(1).fork(static_cast<std::uint64_t>(8 * size + halving + 3));
       tallies[k] =
           count_passes({std::ldexp(thickness, size - 1), speed, spin, size == 1}, count, random);

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Scenes run for a while and drawn as boxes in three dimensions.
-#include "tumble/base/number_text.hpp"
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/math/bracket.hpp"
 #include "tumble/pictures/world_picture.hpp"
@@ -30,8 +29,8 @@ Table pose_table(const std::string& suffix) {
 void add_poses(const World& world, Table& table) {
   double number = 0.0;
   for (int k = 0; k < world.count(); ++k) {
-    if (world.bodies()[static_cast<std::size_t>(k)].shape == Shape::ground) continue;
-    const BodyState& state = world.states()[static_cast<std::size_t>(k)];
+    if (world.bodies()[idx(k)].shape == Shape::ground) continue;
+    const BodyState& state = world.states()[idx(k)];
     const Vec3& p = state.position_w;
     const Quat& q = state.orientation_wb;
     table.add(world.time(), ++number, p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z());

@@ -4,7 +4,6 @@
 #include "tumble/dynamics/pair_search.hpp"
 
 #include "basic_colliding/near_pairs.hpp"
-#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -1,8 +1,6 @@
 /// \file
 /// \brief The cost of a step at 10, 100 and 1000 boxes, in counts.
-#include "choosing/cost_experiments.hpp"
-
-#include "driver/experiment.hpp"
+#include "choosing/experiments.hpp"
 
 namespace tumble::chapters {
 namespace {

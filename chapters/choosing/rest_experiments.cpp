@@ -1,8 +1,6 @@
 /// \file
 /// \brief Boxes that should rest, and one that should tip, under each technique.
-#include "choosing/rest_experiments.hpp"
-
-#include "driver/experiment.hpp"
+#include "choosing/experiments.hpp"
 
 namespace tumble::chapters {
 namespace {

@@ -1,7 +1,6 @@
 /// \file
 /// \brief Error against work: each technique on motions with closed forms (thesis 6.3.2).
-#include "choosing/work_experiments.hpp"
-
+#include "choosing/experiments.hpp"
 #include "choosing/problems.hpp"
 
 namespace tumble::chapters {

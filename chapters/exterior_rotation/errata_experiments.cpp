@@ -2,7 +2,6 @@
 /// \brief Errata P15 and P15b: one force and one torque, and boxes that stay together (thesis 6.2).
 #include "tumble/exterior_rotation/glued.hpp"
 
-#include "driver/experiment.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 #include "exterior_rotation/held_run.hpp"

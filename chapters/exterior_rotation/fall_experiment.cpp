@@ -1,6 +1,5 @@
 /// \file
 /// \brief A column, or one box, falls over the edge of a larger one (figures 6.1 and 6.2).
-#include "driver/experiment.hpp"
 #include "exterior_rotation/coarse_film.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/glued_runs.hpp"

@@ -2,7 +2,6 @@
 /// \brief One rotation for the group, one for each body, or a tree of pivots: figure 6.3 (claim 6.2c).
 #include "tumble/exterior_rotation/glued.hpp"
 
-#include "driver/experiment.hpp"
 #include "exterior_rotation/best_frame.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 

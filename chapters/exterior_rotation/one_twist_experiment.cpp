@@ -1,6 +1,5 @@
 /// \file
 /// \brief The column of figure 6.1, each body moved by one twist (claim 6.2d).
-#include "driver/experiment.hpp"
 #include "exterior_rotation/column_runs.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 

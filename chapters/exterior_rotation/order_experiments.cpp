@@ -1,6 +1,5 @@
 /// \file
 /// \brief Orders of the glued column's integration (claim 6.2b).
-#include "driver/experiment.hpp"
 #include "exterior_rotation/column_reference.hpp"
 #include "exterior_rotation/column_runs.hpp"
 

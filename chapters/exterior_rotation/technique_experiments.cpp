@@ -5,7 +5,7 @@
 #include "tumble/exterior_rotation/joint.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 
-#include "driver/finished.hpp"
+#include "driver/played_scene.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/nested_pendulum.hpp"
 

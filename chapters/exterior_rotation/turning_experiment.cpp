@@ -1,6 +1,5 @@
 /// \file
 /// \brief The column turns, and is pushed along without turning (claim 6.2a).
-#include "driver/experiment.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/pushed_column.hpp"

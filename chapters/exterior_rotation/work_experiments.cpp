@@ -1,6 +1,5 @@
 /// \file
 /// \brief Steps that keep the gap of the glued column small (claim 6.2e).
-#include "driver/experiment.hpp"
 #include "exterior_rotation/column_runs.hpp"
 
 namespace tumble::chapters {

@@ -2,7 +2,6 @@
 /// \brief Claim 6.2f: changes of contact that the right motion does not have.
 #include "tumble/base/tolerances.hpp"
 
-#include "driver/experiment.hpp"
 #include "driver/side_by_side.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/geometric_contacts.hpp"

@@ -57,8 +57,7 @@ Eigen::Vector4d component_mean(const Trajectory& run, int middle, bool aligned) 
 // About a fixed axis a mean orientation is that of the mean angle.
 double mean_angle(const Turning& motion, int middle) {
   double sum = 0.0;
-  for (int n = middle - kMeanOf / 2; n <= middle + kMeanOf / 2; ++n)
-    sum += motion.angle[static_cast<std::size_t>(n)];
+  for (int n = middle - kMeanOf / 2; n <= middle + kMeanOf / 2; ++n) sum += motion.angle[idx(n)];
   return sum / kMeanOf;
 }
 

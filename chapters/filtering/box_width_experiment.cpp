@@ -3,7 +3,6 @@
 #include "tumble/filtering/box_filter.hpp"
 #include "tumble/record/overlap.hpp"
 
-#include "driver/experiment.hpp"
 #include "filtering/shown_clump.hpp"
 
 namespace tumble::chapters {

@@ -2,7 +2,6 @@
 /// \brief Hits and false alarms of rules that detect chatter (claim 6.3.1c).
 #include "tumble/contact/tolerances.hpp"
 
-#include "driver/experiment.hpp"
 #include "filtering/motion_corpus.hpp"
 
 namespace tumble::chapters {

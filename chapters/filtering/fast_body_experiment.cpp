@@ -3,7 +3,6 @@
 #include "tumble/filtering/envelope_filter.hpp"
 #include "tumble/filtering/one_euro_filter.hpp"
 
-#include "driver/experiment.hpp"
 #include "filtering/settled_run.hpp"
 
 namespace tumble::chapters {

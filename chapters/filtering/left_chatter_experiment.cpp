@@ -1,6 +1,5 @@
 /// \file
 /// \brief Claim 6.1b: the chatter that is left in the settled clump.
-#include "driver/experiment.hpp"
 #include "filtering/settled_run.hpp"
 
 namespace tumble::chapters {

@@ -2,7 +2,6 @@
 /// \brief Filters that run live: the same frames, and how late they are seen (thesis 5.5).
 #include "tumble/filtering/box_filter.hpp"
 
-#include "driver/experiment.hpp"
 #include "filtering/live_runs.hpp"
 #include "filtering/settled_run.hpp"
 

@@ -176,8 +176,7 @@ Result measure_fracture_steps(const Parameters& settings) {
       growth = std::max(growth, run.worst / run.start);
     }
   }
-  Result result;
-  result.tables.push_back(table);
+  Result result{.tables = {table}};
   add_stable_steps(settings.count("cells"), result);
   result.add(
       "powers of ten between a million and the steps per second that stability needs, geometric "

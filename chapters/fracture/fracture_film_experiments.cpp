@@ -54,8 +54,7 @@ Result filmed(Fracture scene, const Vec3& size, double duration, const Vec3& dir
     drawings.push_back(
         {"frame" + std::to_string(k + 1), to_gnuplot(drawn(found.frames[at], camera, extent))});
   }
-  Result result;
-  result.tables.push_back(table);
+  Result result{.tables = {table}};
   result.add("pieces of more than a hundredth of the mass", "-", found.pieces);
   result.add("share of the mass of the largest piece", "-", found.largest);
   result.add("change of the mass", "-", found.mass);

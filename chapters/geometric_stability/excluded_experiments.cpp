@@ -1,6 +1,5 @@
 /// \file
 /// \brief Work saved if stable boxes are left out of the contact forces (thesis 5.4).
-#include "driver/experiment.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/resting_pile.hpp"
 
@@ -154,8 +153,7 @@ Result measure_excluded(const Parameters& settings) {
     return static_cast<double>(all) / static_cast<double>(left);
   };
   const double cut = over(ours.all.report.unknowns, ours.left.report.unknowns);
-  Result result;
-  result.tables.push_back(size_table(sizes));
+  Result result{.tables = {size_table(sizes)}};
   result.quantities = {
       {"multiplications of Baraff's method for the pyramid of figure 5.6 with " +
            std::to_string(rows) + " rows, all boxes over the boxes that are not stable",

@@ -1,9 +1,7 @@
 /// \file
 /// \brief A heavy block that keeps two others from tipping: forces, thresholds, runs.
-#include "geometric_stability/heavy_top_experiments.hpp"
-
-#include "driver/experiment.hpp"
 #include "geometric_stability/balance_drawing.hpp"
+#include "geometric_stability/balance_limits.hpp"
 
 #include <cstdlib>
 

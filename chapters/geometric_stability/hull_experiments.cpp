@@ -3,7 +3,6 @@
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/tolerances.hpp"
 
-#include "driver/experiment.hpp"
 #include "geometric_stability/disputes.hpp"
 #include "geometric_stability/pile_levels.hpp"
 

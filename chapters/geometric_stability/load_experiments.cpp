@@ -1,6 +1,5 @@
 /// \file
 /// \brief Loads on the tops of random piles.
-#include "driver/experiment.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_forces.hpp"
 #include "geometric_stability/pile_levels.hpp"

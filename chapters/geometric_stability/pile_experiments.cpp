@@ -2,7 +2,6 @@
 /// \brief Boxes that each way calls stable, and boxes that rest.
 #include "tumble/pictures/picture.hpp"
 
-#include "driver/experiment.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_forces.hpp"
 #include "geometric_stability/pile_levels.hpp"

@@ -2,7 +2,6 @@
 /// \brief Steps in which the upper box of figure 5.4 is stable, slides and is slowed down (claim 5.4d).
 #include "tumble/pictures/picture.hpp"
 
-#include "driver/experiment.hpp"
 #include "geometric_stability/sliding_run.hpp"
 
 namespace tumble::chapters {
@@ -120,8 +119,7 @@ Result measure_sliding(const Parameters& settings) {
   }
   const SlideRun& damped = runs[0];
 
-  Result result;
-  result.tables.push_back(speeds_over_time(runs));
+  Result result{.tables = {speeds_over_time(runs)}};
 
   Table speeds{"speeds",
                {{"speed_m_s", "m/s", "of the upper box at the start"},

@@ -5,7 +5,6 @@
 #include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/pictures/world_picture.hpp"
 
-#include "driver/experiment.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_forces.hpp"
 #include "geometric_stability/pile_levels.hpp"

@@ -1,8 +1,6 @@
 /// \file
 /// \brief Accuracy of the limits that balance finds.
-#include "driver/experiment.hpp"
-#include "geometric_stability/heavy_top_experiments.hpp"
-#include "geometric_stability/tower_experiments.hpp"
+#include "geometric_stability/balance_limits.hpp"
 
 namespace tumble::chapters {
 

@@ -1,11 +1,9 @@
 /// \file
 /// \brief A series of blocks as one heavier block: levels, thresholds, work.
-#include "geometric_stability/tower_experiments.hpp"
-
 #include "tumble/geometric_stability/towers.hpp"
 
-#include "driver/experiment.hpp"
 #include "geometric_stability/balance_drawing.hpp"
+#include "geometric_stability/balance_limits.hpp"
 
 namespace tumble::chapters {
 

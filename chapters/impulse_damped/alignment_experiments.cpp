@@ -3,7 +3,6 @@
 ///        5.3).
 #include "tumble/impulse_damped/tolerances.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/settled_boxes.hpp"
 

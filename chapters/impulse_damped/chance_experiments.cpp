@@ -1,6 +1,5 @@
 /// \file
 /// \brief The time until dice rest, with randomness in some collisions (thesis 4.2).
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/settled_boxes.hpp"
 

@@ -75,8 +75,7 @@ class Watch {
                  contacts_);
     touching_.assign(world.bodies().size(), 0);
     for (const Contact& contact : contacts_)
-      for (const int body : {contact.first, contact.second})
-        touching_[static_cast<std::size_t>(body)] = 1;
+      for (const int body : {contact.first, contact.second}) touching_[idx(body)] = 1;
     meter_.add(world, touching_);
   }
   [[nodiscard]] Chatter measure(double gravity) const { return meter_.measure(gravity); }
@@ -176,8 +175,7 @@ void add_shares(const Stack& stack, int seeds, std::vector<Quantity>& out) {
 Result measure_oscillation(const Parameters& settings) {
   const Stack stack{settings.count("boxes"), settings.number("restitution"),
                     settings.number("aside"), settings.number("turn"), settings.number("duration")};
-  Result result;
-  result.tables.push_back(all_rules(stack, settings.count("finest"), settings.count("seeds")));
+  Result result{.tables = {all_rules(stack, settings.count("finest"), settings.count("seeds"))}};
   add_shares(stack, settings.count("many"), result.quantities);
 
   return result;

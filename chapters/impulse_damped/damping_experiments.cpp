@@ -2,7 +2,6 @@
 /// \brief The energy that each stage of the damping adds at random states (thesis 5.3).
 #include "tumble/impulse_damped/dampen_objects.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/damping_heap.hpp"
 

@@ -1,11 +1,9 @@
 /// \file
 /// \brief A step and its passes over all pairs, as printed and mended (thesis 4.3, 4.4, 5.2, A.2; errata D1 to
 ///        D6, RK1 to RK4 and RC1 to RC4).
-#include "tumble/contact/gather.hpp"
 #include "tumble/contact/impacts.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
 
 namespace tumble::chapters {

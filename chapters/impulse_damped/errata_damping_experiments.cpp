@@ -3,7 +3,6 @@
 ///        DM16).
 #include "tumble/impulse_damped/tolerances.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
 
 namespace tumble::chapters {

@@ -1,6 +1,5 @@
 /// \file
 /// \brief The work of a step of the clump and of the pyramid (thesis 6.1).
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 
 namespace tumble::chapters {

@@ -15,7 +15,7 @@ double total_depth(const World& world, std::span<const BodyState> poses, PairGat
   for (const Contact& contact : contacts) {
     double deepest = 0.0;
     for (int k = 0; k < contact.count; ++k)
-      deepest = std::max(deepest, -contact.points[static_cast<std::size_t>(k)].distance);
+      deepest = std::max(deepest, -contact.points[idx(k)].distance);
     sum += deepest;
   }
   return sum;
@@ -138,8 +138,8 @@ Result measure_overlap_left(const Parameters& settings) {
     Overlap sum;
     Overlap loose_sum;
     for (int seed = 0; seed < seeds; ++seed) {
-      const Overlap& one = heaps[static_cast<std::size_t>(seed)][k];
-      const Overlap& other = loose_heaps[static_cast<std::size_t>(seed)][k];
+      const Overlap& one = heaps[idx(seed)][k];
+      const Overlap& other = loose_heaps[idx(seed)][k];
       sum = {sum.free + one.free, sum.found + one.found, sum.left + one.left};
       loose_sum.found += other.found;
     }

@@ -4,7 +4,6 @@
 #include "tumble/pictures/world_picture.hpp"
 #include "tumble/record/metrics.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 
 namespace tumble::chapters {

@@ -3,7 +3,6 @@
 #include "tumble/impulse_damped/damped_numbers.hpp"
 #include "tumble/record/metrics.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/chatter_colours.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/settled_boxes.hpp"
@@ -165,7 +164,7 @@ Result measure_reported(const Parameters& settings) {
   Known known;
   for (std::size_t a = 0; a < arms().size(); ++a) {
     const Arm& arm = arms()[a];
-    std::vector<double> hold(static_cast<std::size_t>(seeds), 0.0);
+    std::vector<double> hold(idx(seeds), 0.0);
     std::array<double, 4> shares{};
     for (const double figure : {6.6, 6.7}) {
       const bool shot = figure < 6.65;

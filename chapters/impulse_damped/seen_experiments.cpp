@@ -1,6 +1,5 @@
 /// \file
 /// \brief Travel and resting poses of boxes, damped and with Coulomb's friction (thesis 5.3).
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 
 namespace tumble::chapters {

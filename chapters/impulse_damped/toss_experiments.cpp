@@ -1,6 +1,5 @@
 /// \file
 /// \brief Tossed cubes with and without chance, against measured ones (thesis 2.4.2, 4.2).
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/tosses.hpp"
 

@@ -75,7 +75,7 @@ Result measure_least_constraint(const Parameters& settings) {
       row.push_back(sum_without(one.forces[i], -1) / seeds);
       row.push_back(sum_without(one.least_constraint[i], -1) / seeds);
     }
-    table.add(static_cast<std::size_t>(fewest) + i, row);
+    table.add(idx(fewest) + i, row);
   }
 
   const auto crossing = [&](std::size_t k, const char* name) {

@@ -100,7 +100,7 @@ struct Corners {
 class Rest {
  public:
   Rest(LcpSolver& solver, int cubes, double weight)
-      : solver_(solver), weight_(weight), loads_(static_cast<std::size_t>(cubes)) {
+      : solver_(solver), weight_(weight), loads_(idx(cubes)) {
     problem_.factors = stack_on_corners(cubes);
     multiply_out(problem_.factors, problem_.A);
     left.gap.assign(idx(4 * cubes), 0.0);

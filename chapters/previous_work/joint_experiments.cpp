@@ -1,13 +1,9 @@
 /// \file
 /// \brief Joints of scenes: a crane swings a box into a wall; periods and energies of pendulums (thesis 2.6.5).
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/exterior_rotation/joint.hpp"
 #include "tumble/pictures/world_picture.hpp"
 
 #include "driver/experiment.hpp"
-#include "driver/played_scene.hpp"
-
-#include <numbers>
 
 namespace tumble::chapters {
 namespace {

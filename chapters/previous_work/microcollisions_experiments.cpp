@@ -1,7 +1,6 @@
 /// \file
 /// \brief Stacks under microcollisions: how many impacts carry them (thesis 2.5.2, a second measurement).
 #include "driver/experiment.hpp"
-#include "driver/played_scene.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -15,8 +14,7 @@ constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 
 // Cubes of 1 m and 1 kg on one another, or beside one another on the ground.
 Scene cubes(int count, bool beside, Random random) {
-  Scene scene;
-  scene.ground.emplace();
+  Scene scene{.ground = SceneGround{}};
   scene.ground->friction = kFriction;
   double height = 0.0;
   for (int k = 0; k < count; ++k) {

@@ -128,8 +128,7 @@ Result measure_steps(const Parameters& settings) {
     break;
   }
   if (ratio == 0.0) ran(1, kSmallest);
-  Result result;
-  result.tables.push_back(table);
+  Result result{.tables = {table}};
   result.add(
       "the smaller of two ratios: the largest such step over 1/15 s, and multiplications of the "
       "quadratic programs over those of the complementarity problem",
@@ -156,8 +155,7 @@ Result measure_touches(const Parameters& settings) {
     optimised += here / seeds;
     stepping += there / seeds;
   }
-  Result result;
-  result.tables.push_back(table);
+  Result result{.tables = {table}};
   result.add(
       "points at which a body of a heap of 27 cubes touches others after a step of optimisation "
       "based animation, over the same under time stepping",

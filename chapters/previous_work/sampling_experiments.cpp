@@ -17,8 +17,7 @@ constexpr std::array<double, 3> kMoments = {0.5, 0.8,
 Scene bowling() {
   constexpr double apart = 0.3;  // [m]
   constexpr double surface = 0.3;
-  Scene scene;
-  scene.ground = SceneGround{.friction = surface, .restitution = surface};
+  Scene scene{.ground = SceneGround{.friction = surface, .restitution = surface}};
   scene.boxes.push_back({.name = "bowl",
                          .size = Vec3::Constant(0.2),
                          .mass = 5.0,
@@ -44,8 +43,7 @@ Scene bowling() {
 
 // A die of 16 mm, as examples/scenes/six.toml has it, that is to show a six on a square centimetre.
 Scene die_on_a_square() {
-  Scene scene;
-  scene.ground.emplace();
+  Scene scene{.ground = SceneGround{}};
   scene.boxes.push_back({.name = "die",
                          .size = Vec3::Constant(0.016),
                          .mass = 0.005,

@@ -68,8 +68,7 @@ std::vector<double> fall(int seed, double duration) {
 // Returns [-] how high it rises above its start, over what the parabola does
 double thrown(Table& table) {
   const Vec3 start_w(0.0, 1.5, 0.0), velocity_w(3.0, 4.0, 0.0);  // [m], [m/s]
-  Scene scene;
-  scene.ground.emplace();
+  Scene scene{.ground = SceneGround{}};
   scene.boxes.emplace_back();
   scene.boxes[0].position_w = start_w;
   scene.boxes[0].velocity_w = velocity_w;

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Crowded frames in which the forms of the timewarp go wrong (thesis 5.1).
-#include "driver/experiment.hpp"
 #include "timewarp/crowd_scenes.hpp"
 #include "timewarp/event_story.hpp"
 

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Figure 5.1: the order in which five cubes meet, by four techniques (thesis 5.1).
-#include "driver/experiment.hpp"
 #include "timewarp/bands.hpp"
 #include "timewarp/event_story.hpp"
 

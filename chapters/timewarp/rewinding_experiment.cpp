@@ -1,6 +1,5 @@
 /// \file
 /// \brief Claim 2.4.3a: all bodies taken back for a collision, or only those near it.
-#include "driver/experiment.hpp"
 #include "timewarp/cage_runs.hpp"
 
 namespace tumble::chapters {

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Claim 2.4.3b: full timewarp, all bodies waiting for one another on every so many frames.
-#include "driver/experiment.hpp"
 #include "timewarp/cage_runs.hpp"
 
 namespace tumble::chapters {

@@ -4,7 +4,6 @@
 #include "tumble/timewarp/timewarp_simple.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
-#include "driver/experiment.hpp"
 #include "timewarp/event_story.hpp"
 #include "timewarp/tie_scenes.hpp"
 
