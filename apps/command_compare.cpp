@@ -4,7 +4,7 @@
 #include "tumble/scenes/scene_file.hpp"
 #include "tumble/techniques.hpp"
 
-#include "gnuplot.hpp"
+#include "drawing_programs.hpp"
 #include "progress.hpp"
 #include "request.hpp"
 

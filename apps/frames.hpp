@@ -12,10 +12,8 @@ namespace tumble::app {
 
 /// The boxes of every frame. Each box has one colour throughout; fixed ones that stand in front of others in
 /// all frames, as the front walls of a cage, are left out of all.
-/// \param run          of which the frames are
 /// \param frames       recorded ones, or between these
 /// \param direction_w  [-] from the boxes to the eye
-/// \return for each frame
 std::vector<FilmFrame> shown_frames(const RecordedRun& run, std::span<const RecordedFrame> frames,
                                     const Vec3& direction_w);
 

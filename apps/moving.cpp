@@ -8,7 +8,7 @@
 #include "tumble/pictures/gltf.hpp"
 #include "tumble/record/table_file.hpp"
 
-#include "ffmpeg.hpp"
+#include "drawing_programs.hpp"
 #include "frames.hpp"
 #include "view_page.hpp"
 

@@ -26,7 +26,6 @@ CLI::Validator whole(std::uint64_t most);
 CLI::Validator not_empty();
 
 /// Adds an option that takes items separated by commas, none of them empty.
-/// \param command of which it is one
 /// \param option  with its dashes
 /// \param help    what it means
 /// \param take    called with each item, from first to last
@@ -49,13 +48,11 @@ void add_motion_option(CLI::App& command, std::optional<int>& motion);
 void add_run_options(CLI::App& command, Request& request);
 
 /// Adds what `tumble sample` has beside the scene.
-/// \param command this one
 /// \param request takes the typed values
 /// \param sample  takes the typed values
 void add_sample_options(CLI::App& command, Request& request, SampleRequest& sample);
 
 /// Adds the options of `tumble render`.
-/// \param command this one
 /// \param request takes the typed values
 void add_render_options(CLI::App& command, RenderRequest& request);
 

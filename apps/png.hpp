@@ -10,7 +10,6 @@ namespace tumble::app {
 
 /// Writes pixels as a PNG.
 /// \param path    of the picture, its folder there
-/// \param pixels  the picture
 /// \throws CannotWrite if it cannot be written, or if the command was built without stb, naming its package
 void write_png(const std::filesystem::path& path, const Raster& pixels);
 

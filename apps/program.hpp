@@ -18,7 +18,6 @@ using Feeder = std::function<bool(std::string_view bytes)>;
 
 /// Runs a program and waits for its end. No shell reads the words, so none needs quotes.
 /// \param words   the program, looked up in PATH, and its arguments; at least one
-/// \param folder  where it runs
 /// \param feed    called with what writes to the program's standard input, which ends when this returns or
 ///                throws; empty: the input is ours
 /// \return its exit code, 128 + signal if it was killed, kNoProgram if there is no such program

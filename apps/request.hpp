@@ -49,15 +49,11 @@ struct ResolvedRequest {
 
 /// Changes settings as `--set` asks for: "scene.rows=13", "technique.impacts=sequential", or a bare
 /// "rows=13" where only one of the two has it.
-/// \param settings   as typed
-/// \param scene      settings of the scene
-/// \param technique  settings of the technique
 /// \throws std::invalid_argument for a key that neither or both have, or a value out of range
 void apply(const std::vector<std::string>& settings, Parameters& scene, Parameters& technique);
 
 /// The folder for output: the one that was typed, or a new one in runs/. A finished output in it is replaced only with
 /// --force.
-/// \param request  as typed
 /// \param kind     second part of the new folder's name, for example the technique
 /// \param last     the file by which a finished output is recognised
 /// \return the folder, which need not exist
@@ -66,7 +62,6 @@ std::filesystem::path output_folder(const Request& request, const std::string& k
                                     const std::string& last);
 
 /// Looks up scene, technique and settings, and checks them.
-/// \param request as typed
 /// \return ready to run
 /// \throws std::invalid_argument for an unknown scene, technique or key, a value out of range, or
 ///         a bare key that both the scene and the technique have, or a folder that holds the scene
@@ -79,25 +74,18 @@ ResolvedRequest resolve(const Request& request);
 Scene resolve_scene(const Request& request);
 
 /// `tumble run`.
-/// \param request as typed
-/// \return the exit code
 int run_command(const Request& request);
 
 /// Runs and records as `tumble run` does.
-/// \param request  as typed
 /// \param folder   becomes the folder of the run
-/// \return the exit code
 int run_into(const Request& request, std::filesystem::path& folder);
 
 /// `tumble view`: a page of a recorded run, opened in the browser.
 /// \param request  as typed; the scene may be the folder of a recorded run
 /// \param open     whether the browser is started
-/// \return the exit code
 int view_command(const Request& request, bool open);
 
 /// `tumble diff`: where two recorded runs part.
-/// \param first   folder of a run
-/// \param second  folder of another one
 /// \return kDone if all bits are equal, else kDiffer
 int diff_command(const std::string& first, const std::string& second);
 
@@ -105,7 +93,6 @@ int diff_command(const std::string& first, const std::string& second);
 /// \param request     as typed; its technique is not used
 /// \param techniques  names; empty: all
 /// \param limit       [s] of the clock that each technique may take
-/// \return the exit code
 int compare_command(const Request& request, const std::vector<std::string>& techniques,
                     double limit);
 
@@ -127,7 +114,6 @@ struct RenderRequest {
 };
 
 /// Whether a folder was written by `tumble sample`.
-/// \param folder  a path
 /// \return true if it has a first motion
 bool is_sampling(const std::filesystem::path& folder);
 
@@ -136,25 +122,20 @@ bool is_sampling(const std::filesystem::path& folder);
 std::string motion_file(int motion);
 
 /// The table that is drawn.
-/// \param request as typed
 /// \return of the run, filtered or not, or of a sampled motion: the first one unless another was asked for
 /// \throws std::invalid_argument for a filtered motion
 std::string table_of(const RenderRequest& request);
 
 /// The end of the names of its pictures and films.
-/// \param request as typed
 /// \return for example "_filtered", or "_2" of the second motion; empty for a run as computed
 std::string suffix_of(const RenderRequest& request);
 
 /// `tumble render`.
-/// \param request as typed
-/// \return the exit code
 int render_command(const RenderRequest& request);
 
 /// `tumble stability`.
 /// \param request  as typed: scene, settings, seed
 /// \param rule     corners, hull, load_proof or equilibrium
-/// \return the exit code
 int stability_command(const Request& request, const std::string& rule);
 
 /// What `tumble sample` has beside a run, as typed.
@@ -171,7 +152,6 @@ struct SampleRequest {
 /// `tumble sample`.
 /// \param request  scene and run, as typed
 /// \param asked    its own options, as typed
-/// \return the exit code
 int sample_command(const Request& request, const SampleRequest& asked);
 
 /// A linear complementarity problem in files, as typed.
@@ -183,12 +163,9 @@ struct LcpRequest {
 };
 
 /// `tumble lcp`.
-/// \param request as typed
-/// \return the exit code
 int solve_lcp(const LcpRequest& request);
 
 /// `tumble lcp --list`.
-/// \return the exit code
 int list_lcp_solvers();
 
 /// `tumble scenes`.
@@ -196,17 +173,14 @@ int list_lcp_solvers();
 /// \param as_toml   print it as a scene file
 /// \param settings  parameters for as_toml
 /// \param seed      for scenes with chance in them
-/// \return the exit code
 int list_scenes(const std::string& name, bool as_toml, const std::vector<std::string>& settings,
                 std::uint64_t seed);
 
 /// `tumble techniques`.
 /// \param name one technique to describe; empty: list all
-/// \return the exit code
 int list_techniques(const std::string& name);
 
 /// `tumble filters`.
-/// \return the exit code
 int list_filters();
 
 /// The signal that asked this process to stop.

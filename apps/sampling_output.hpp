@@ -24,7 +24,6 @@ inline constexpr std::string_view kSettingsFile = "sampling.txt";
 std::string chain_file(int chain);
 
 /// All files that a folder of `tumble sample` may have.
-/// \return their names
 std::vector<std::string> all_sampling_files();
 
 /// A motion that is written, and by which chain it was found.
@@ -51,7 +50,6 @@ struct ChainCounts {
 
 /// Adds up chains.
 /// \param chains  at any state
-/// \return their counts
 ChainCounts counts_of(const std::vector<NoiseChain>& chains);
 
 /// Writes the tables of chains every second while they go on, and a line of a terminal ten times a second.
@@ -59,9 +57,7 @@ class ChainWatch {
  public:
   /// Prepares both.
   /// \param folder   gets the tables; published as soon as there is a motion
-  /// \param chains   which go on
   /// \param samples  motions that are wanted
-  /// \param label    what runs
   /// \param quiet    no line
   ChainWatch(OutputFolder& folder, const std::vector<NoiseChain>& chains, int samples,
              std::string label, bool quiet);
@@ -95,18 +91,13 @@ class ChainWatch {
 };
 
 /// Runs each motion again from its noise, and writes its trajectory and a row of motions.csv.
-/// \param folder   where
-/// \param sampler  which simulates
-/// \param motions  of motions_of()
 /// \param every    steps from one frame to the next
 /// \throws CannotWrite if a file cannot be written
 void write_motions(const std::filesystem::path& folder, const SceneSampler& sampler,
                    const std::vector<SampledMotion>& motions, int every);
 
 /// Writes summary.json.
-/// \param folder       where
 /// \param description  what was sampled
-/// \param sample       how
 /// \param chains       at their ends
 /// \throws CannotWrite if it cannot be written
 void write_summary(const std::filesystem::path& folder, const RunDescription& description,

@@ -14,9 +14,7 @@ extern const std::string_view kViewPage;
 
 /// Makes a page that plays an animated scene and needs nothing else, no network and no other file.
 /// \param title        of the run, as a reader sees it
-/// \param gltf         of to_gltf()
 /// \param direction_w  [-] from the boxes to the camera at the start
-/// \return the bytes of the page
 std::string view_page(std::string_view title, const std::string& gltf, const Vec3& direction_w);
 
 }  // namespace tumble::app

@@ -183,17 +183,15 @@ Result measure_exact_times(const Parameters& settings) {
 
 const Registered claim_3_3_1e_exact_times_figure{
     {.name = "claim_3_3_1e_exact_times",
-     .parameters =
-         Parameters{}
-             .add_whole("cubes", 64, 1, 1000,
-                        "the largest number of cubes, doubled from one up to there")
-             .add_number("duration", 2.0, 0.2, 60.0, "s", "length of each run")
-             .add_number("restitution", 0.5, 0.0, 0.9, "-", "rebound speed over impact speed")
-             .add_number("accepted", 0.01, 1e-6, 1.0, "m",
-                         "largest error of a height; the edge is 1 m")
-             .add_number("finest", 1e-5, 1e-7, 0.01, "s", "shortest step that is tried")
-             .add_whole("piles", 20, 2, 1000, "random piles of five cubes")
-             .add_whole("pile_steps", 180, 1, 100000, "of 1/60 s, that they fall"),
+     .parameters = {whole("cubes", 64, 1, 1000,
+                          "the largest number of cubes, doubled from one up to there"),
+                    number("duration", 2.0, 0.2, 60.0, "s", "length of each run"),
+                    number("restitution", 0.5, 0.0, 0.9, "-", "rebound speed over impact speed"),
+                    number("accepted", 0.01, 1e-6, 1.0, "m",
+                           "largest error of a height; the edge is 1 m"),
+                    number("finest", 1e-5, 1e-7, 0.01, "s", "shortest step that is tried"),
+                    whole("piles", 20, 2, 1000, "random piles of five cubes"),
+                    whole("pile_steps", 180, 1, 100000, "of 1/60 s, that they fall")},
      .quick = {"cubes=2", "piles=2", "pile_steps=30"},
      .experiment = measure_exact_times}};
 

@@ -43,11 +43,9 @@ World five_things() {
   return build_world(scene);
 }
 
-const BodyState& state_of(const World& world, int body) {
-  return world.states()[static_cast<std::size_t>(body)];
-}
+const BodyState& state_of(const World& world, int body) { return world.states()[idx(body)]; }
 double speed_of(const World& world, int body) {
-  return velocity(world.bodies()[static_cast<std::size_t>(body)], state_of(world, body)).norm();
+  return velocity(world.bodies()[idx(body)], state_of(world, body)).norm();
 }
 double tilt_of(const World& world) {  // [deg] of the post's long axis from the vertical
   const Vec3 axis_w = state_of(world, post).orientation_wb * Vec3::UnitY();
@@ -149,9 +147,8 @@ Result measure_joined(const Parameters& settings) {
 
 const Registered claim_3_3_1d_joined_figure{
     {.name = "claim_3_3_1d_joined",
-     .parameters = Parameters{}
-                       .add_number("step", 1.0 / 60.0, 1e-4, 0.1, "s", "time step")
-                       .add_number("duration", 5.0, 2.0, 60.0, "s", "length of the run"),
+     .parameters = {number("step", 1.0 / 60.0, 1e-4, 0.1, "s", "time step"),
+                    number("duration", 5.0, 2.0, 60.0, "s", "length of the run")},
      .quick = {"duration=3.5"},
      .experiment = measure_joined}};
 

@@ -1,7 +1,6 @@
 /// \file
 /// \brief Painlevé's rod where Coulomb's law has no answer, and its time steps there (thesis 2.6.3).
 #include "analytic_lcp/painleve_rod.hpp"
-#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -128,11 +127,9 @@ Result measure_painleve_map(const Parameters& settings) {
 
 const Registered painleve_map_figure{
     {.name = "painleve_map",
-     .parameters =
-         Parameters{}
-             .add_number("spin", 5.0, 0.1, 100.0, "rad/s", "of the rods in the second map")
-             .add_number("step", 1.0 / 60.0, 1e-6, 1.0, "s", "time step of the dots")
-             .add_whole("friction_steps", 120, 10, 2000, "rows of the grid of either map"),
+     .parameters = {number("spin", 5.0, 0.1, 100.0, "rad/s", "of the rods in the second map"),
+                    number("step", 1.0 / 60.0, 1e-6, 1.0, "s", "time step of the dots"),
+                    whole("friction_steps", 120, 10, 2000, "rows of the grid of either map")},
      .quick = {"friction_steps=30"},
      .experiment = measure_painleve_map}};
 

@@ -100,10 +100,9 @@ Quantity ratio(const char* name, double Fall::*what, const std::vector<Fall>& th
 }
 
 Parameters of_dice() {
-  return Parameters{}
-      .add_number("height", 2.0, 0.1, 100.0, "m", "free height of the die")
-      .add_number("restitution", 0.5, 0.1, 0.9, "-", "rebound speed over impact speed")
-      .add_whole("seeds", 20, 2, 1000, "dice");
+  return {number("height", 2.0, 0.1, 100.0, "m", "free height of the die"),
+          number("restitution", 0.5, 0.1, 0.9, "-", "rebound speed over impact speed"),
+          whole("seeds", 20, 2, 1000, "dice")};
 }
 
 Result measure_sticky(const Parameters& settings) {

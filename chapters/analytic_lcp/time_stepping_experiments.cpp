@@ -4,7 +4,6 @@
 #include "tumble/contact/gather.hpp"
 
 #include "analytic_lcp/painleve_rod.hpp"
-#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -152,11 +151,9 @@ Result measure_no_events(const Parameters& settings) {
 
 const Registered claim_2_6_3a_no_events_figure{
     {.name = "claim_2_6_3a_no_events",
-     .parameters =
-         Parameters{}
-             .add_whole("cubes", 4, 2, 10, "in the stack")
-             .add_number("duration", 3.0, 0.1, 60.0, "s", "of each run")
-             .add_whole("shots", 10, 1, 1000, "the first one is drawn, the others are random"),
+     .parameters = {whole("cubes", 4, 2, 10, "in the stack"),
+                    number("duration", 3.0, 0.1, 60.0, "s", "of each run"),
+                    whole("shots", 10, 1, 1000, "the first one is drawn, the others are random")},
      .quick = {"duration=1", "shots=2", "cubes=3"},
      .experiment = measure_no_events}};
 
@@ -196,9 +193,8 @@ Result measure_always_solved(const Parameters& settings) {
 
 const Registered claim_2_6_3b_always_solved_figure{
     {.name = "claim_2_6_3b_always_solved",
-     .parameters = Parameters{}
-                       .add_whole("problems", 10000, 2, 1000000, "random ones, half of each kind")
-                       .add_whole("seed", 2, 0, 1000000000, "of the random problems"),
+     .parameters = {whole("problems", 10000, 2, 1000000, "random ones, half of each kind"),
+                    whole("seed", 2, 0, 1000000000, "of the random problems")},
      .quick = {"problems=400"},
      .experiment = measure_always_solved}};
 

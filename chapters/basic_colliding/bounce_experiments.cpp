@@ -137,14 +137,12 @@ Result measure_impact_times(const Parameters& settings) {
 
 const Registered claim_2_1a_impacts_figure{
     {.name = "claim_2_1a_impacts",
-     .parameters =
-         Parameters{}
-             .add_number("height", 1.0, 0.01, 100.0, "m", "free height at the start")
-             .add_number("restitution", 0.9, 0.5, 1.0, "-", "rebound speed over impact speed")
-             .add_whole("impacts", 20, 1, 100, "how many are compared")
-             .add_number("step", 1.0 / 60.0, 1e-4, 0.1, "s", "time step")
-             .add_number("resolution", 1e-9, 1e-12, 1e-4, "s",
-                         "how closely impact times are found"),
+     .parameters = {number("height", 1.0, 0.01, 100.0, "m", "free height at the start"),
+                    number("restitution", 0.9, 0.5, 1.0, "-", "rebound speed over impact speed"),
+                    whole("impacts", 20, 1, 100, "how many are compared"),
+                    number("step", 1.0 / 60.0, 1e-4, 0.1, "s", "time step"),
+                    number("resolution", 1e-9, 1e-12, 1e-4, "s",
+                           "how closely impact times are found")},
      .quick = {"impacts=8"},
      .experiment = measure_impact_times}};
 
@@ -225,16 +223,15 @@ Result measure_rest(const Parameters& settings) {
 
 const Registered claim_2_1b_rest_figure{
     {.name = "claim_2_1b_rest",
-     .parameters =
-         Parameters{}
-             .add_number("height", 1.0, 0.01, 100.0, "m", "free height at the start")
-             .add_number("restitution", 0.5, 0.0, 0.9, "-", "rebound speed over impact speed")
-             .add_number("duration", 2.0, 0.1, 60.0, "s", "length of the run")
-             .add_number("step", 1.0 / 60.0, 1e-4, 0.1, "s", "time step")
-             .add_number("resolution", 1e-9, 1e-12, 1e-4, "s", "how closely impact times are found")
-             .add_whole("cap", 1000, 1, 100000, "impacts allowed in a step")
-             .add_number("clear", 1e-9, 1e-12, 1e-3, "m",
-                         "how high overlap is lifted in the second run"),
+     .parameters = {number("height", 1.0, 0.01, 100.0, "m", "free height at the start"),
+                    number("restitution", 0.5, 0.0, 0.9, "-", "rebound speed over impact speed"),
+                    number("duration", 2.0, 0.1, 60.0, "s", "length of the run"),
+                    number("step", 1.0 / 60.0, 1e-4, 0.1, "s", "time step"),
+                    number("resolution", 1e-9, 1e-12, 1e-4, "s",
+                           "how closely impact times are found"),
+                    whole("cap", 1000, 1, 100000, "impacts allowed in a step"),
+                    number("clear", 1e-9, 1e-12, 1e-3, "m",
+                           "how high overlap is lifted in the second run")},
      .quick = {"duration=1.6"},
      .experiment = measure_rest}};
 

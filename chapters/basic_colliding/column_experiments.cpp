@@ -175,14 +175,13 @@ Result measure_stack_impulses(const Parameters& settings) {
 
 const Registered claim_2_5_2a_stack_figure{
     {.name = "claim_2_5_2a_stack",
-     .parameters =
-         Parameters{}
-             .add_whole("most", 8, 4, 32, "cubes in the highest stack")
-             .add_number("restitution", 0.0, 0.0, 0.9, "-",
-                         "of impacts faster than the slowest rebound")
-             .add_number("duration", 1.0, 1e-3, 60.0, "s", "length of each run")
-             .add_whole("seeds", 20, 2, 1000, "runs for each height, with random gaps at the start")
-             .add_whole("cap", 5000000, 1000, 1000000000, "impulses allowed in a run"),
+     .parameters = {whole("most", 8, 4, 32, "cubes in the highest stack"),
+                    number("restitution", 0.0, 0.0, 0.9, "-",
+                           "of impacts faster than the slowest rebound"),
+                    number("duration", 1.0, 1e-3, 60.0, "s", "length of each run"),
+                    whole("seeds", 20, 2, 1000,
+                          "runs for each height, with random gaps at the start"),
+                    whole("cap", 5000000, 1000, 1000000000, "impulses allowed in a run")},
      .quick = {"most=5", "duration=0.1", "seeds=4"},
      .experiment = measure_stack_impulses}};
 

@@ -60,12 +60,10 @@ struct CountedNormal {
 };
 
 // signed_distance() of the library, operation for operation.
-// point_w: [m] world frame
 CountedNormal counted_signed_distance(const Box& box, const Vec3& point_w, Operations& counts);
 
 // The face that is closest to a point, as the thesis takes it for a normal: the one whose plane the
 // point is least deep below, or farthest above.
-// point_w: [m] world frame
 CountedNormal counted_closest_face(const Box& box, const Vec3& point_w, Operations& counts);
 
 }  // namespace tumble::chapters

@@ -96,7 +96,7 @@ std::vector<LiteralImpact> impacts_in_step(World world, double dt, const Vec3& n
     const std::optional<double> time = impact_time(world, dt - now, how.resolution, how.kept);
     if (!time) break;
     for (int k = 0; k < world.count(); ++k) {
-      const auto i = static_cast<std::size_t>(k);
+      const auto i = idx(k);
       fly(world.bodies()[i], world.states()[i], world.gravity_w, *time, RotationRule::splitting);
     }
     now += *time;

@@ -88,7 +88,7 @@ World after_landing(const Order* order) {
       if (round == most_rounds) throw std::runtime_error("the corners go on colliding");
       quiet = true;
       for (const int corner : *order) {
-        const Vec3& point_w = contacts[0].points[static_cast<std::size_t>(corner)].position_w;
+        const Vec3& point_w = contacts[0].points[idx(corner)].position_w;
         const PointImpulse impulse =
             collide_at_point(moving[0], moving[1], point_w, Vec3::UnitY(), 0.0, kRestitution);
         quiet = quiet && impulse.mode == ImpactMode::none;
@@ -169,8 +169,7 @@ Result measure_event_search_errata(const Parameters& settings) {
 
 const Registered errata_event_search_figure{
     {.name = "errata_event_search",
-     .parameters = Parameters{}.add_whole("cap", 1000, 20, 100000,
-                                          "impacts at which an endless step is stopped"),
+     .parameters = {whole("cap", 1000, 20, 100000, "impacts at which an endless step is stopped")},
      .quick = {"cap=100"},
      .experiment = measure_event_search_errata}};
 

@@ -91,13 +91,12 @@ Result measure_zeno(const Parameters& settings) {
 
 const Registered zeno_figure{
     {.name = "zeno",
-     .parameters =
-         Parameters{}
-             .add_number("height", 1.0, 0.01, 100.0, "m", "free height at the start")
-             .add_number("restitution", 0.5, 0.05, 0.95, "-", "rebound speed over impact speed")
-             .add_number("threshold", 0.01, 1e-4, 1.0, "m/s", "rebound speed at which bodies stick")
-             .add_number("resolution", 1e-9, 1e-12, 1e-3, "s",
-                         "how closely impact times are found"),
+     .parameters = {number("height", 1.0, 0.01, 100.0, "m", "free height at the start"),
+                    number("restitution", 0.5, 0.05, 0.95, "-", "rebound speed over impact speed"),
+                    number("threshold", 0.01, 1e-4, 1.0, "m/s",
+                           "rebound speed at which bodies stick"),
+                    number("resolution", 1e-9, 1e-12, 1e-3, "s",
+                           "how closely impact times are found")},
      .quick = {"threshold=0.1"},
      .experiment = measure_zeno}};
 

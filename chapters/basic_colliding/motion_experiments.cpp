@@ -4,7 +4,6 @@
 #include "tumble/math/bracket.hpp"
 
 #include "basic_colliding/free_rotation.hpp"
-#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -102,9 +101,8 @@ Result measure_rotation_rules(const Parameters& settings) {
 
 const Registered rotation_rules_figure{
     {.name = "rotation_rules",
-     .parameters = Parameters{}
-                       .add_number("step", 0.02, 1e-4, 0.2, "s", "time step of the curves")
-                       .add_number("duration", 12.0, 1.0, 60.0, "s", "length of the run"),
+     .parameters = {number("step", 0.02, 1e-4, 0.2, "s", "time step of the curves"),
+                    number("duration", 12.0, 1.0, 60.0, "s", "length of the run")},
      .quick = {"duration=4"},
      .experiment = measure_rotation_rules}};
 

@@ -12,7 +12,6 @@ namespace tumble::chapters {
 class NearPairs {
  public:
   // Finds the pairs whose ways through the step, as wide as half a diagonal, overlap.
-  // dt: [s] the step
   std::span<const IndexPair> find(const World& world, double dt) {
     bounds_.clear();
     for (std::size_t k = 0; k < world.bodies().size(); ++k) {

@@ -4,7 +4,6 @@
 #include "tumble/geometry/signed_distance.hpp"
 
 #include "basic_colliding/counted.hpp"
-#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -58,9 +57,8 @@ double mean(std::int64_t operations, const Work& work) {
 
 // --- angles --------------------------------------------------------------------------------
 
-constexpr double kFrame = 1.0 / 60.0;  // [s]
-constexpr double kNear = 0.1;          // [m] from the surface of a cube of 1 m
-constexpr int kBins = 19;              // around 0, 10, ... 180 degrees
+constexpr double kNear = 0.1;  // [m] from the surface of a cube of 1 m
+constexpr int kBins = 19;      // around 0, 10, ... 180 degrees
 
 // Angles between a face's normal and the gradient, inside and outside.
 struct Angles {
@@ -111,9 +109,9 @@ void follow(double speed, double spin, Random random, Angles& inside, Angles& ou
     fly(cube, box, Vec3::Zero(), time, RotationRule::frozen);
     fly(cube, other, Vec3::Zero(), time, RotationRule::frozen);
   };
-  fly_both(-0.5 * frames * kFrame);
+  fly_both(-0.5 * frames * kStep);
   Vec3 last_b = Vec3::Zero();
-  for (int k = 0; k <= frames; ++k, fly_both(kFrame)) {
+  for (int k = 0; k <= frames; ++k, fly_both(kStep)) {
     const Box now = box_of(cube, box);
     const Vec3 corner_w = other.position_w + other.orientation_wb * half;
     const Vec3 face_b = closest_face_b(now.axes_w.transpose() * corner_w, half);
@@ -199,7 +197,7 @@ Result measure_signed_distance(const Parameters& settings) {
                 {"outside_now", "-", "the same, closest face of this very frame"}}};
   for (const double speed : {0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
     const Paths at = follow_all(count, speed, spin);
-    speeds.add(speed, speed * kFrame, at.inside.off / at.inside.frames,
+    speeds.add(speed, speed * kStep, at.inside.off / at.inside.frames,
                at.outside.off / at.outside.frames, at.outside.off_now / at.outside.frames);
   }
   return {{operations_table(work), angles_table(paths), speeds},
@@ -211,13 +209,11 @@ Result measure_signed_distance(const Parameters& settings) {
 
 const Registered claim_3_3_2b_signed_distance_figure{
     {.name = "claim_3_3_2b_signed_distance",
-     .parameters =
-         Parameters{}
-             .add_whole("queries", 1000000, 100, 100000000, "random boxes and points")
-             .add_whole("paths", 40000, 10, 1000000,
-                        "random paths of a corner past a box, per speed")
-             .add_number("speed", 2.0, 0.0, 1000.0, "m/s", "of the corner in the histogram")
-             .add_number("spin", 5.0, 0.0, 100.0, "rad/s", "largest spin of either body"),
+     .parameters = {whole("queries", 1000000, 100, 100000000, "random boxes and points"),
+                    whole("paths", 40000, 10, 1000000,
+                          "random paths of a corner past a box, per speed"),
+                    number("speed", 2.0, 0.0, 1000.0, "m/s", "of the corner in the histogram"),
+                    number("spin", 5.0, 0.0, 100.0, "rad/s", "largest spin of either body")},
      .quick = {"queries=20000", "paths=1000"},
      .experiment = measure_signed_distance}};
 

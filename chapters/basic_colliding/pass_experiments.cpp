@@ -175,7 +175,7 @@ Result measure_missed_passes(const Parameters& settings) {
     std::array<Quantity, 3> found;
     std::array<Tally, 3> tallies;
     for (int size = 0; size < 3; ++size) {
-      const auto k = static_cast<std::size_t>(size);
+      const auto k = idx(size);
       const Random random = Random(1).fork(static_cast<std::uint64_t>(8 * size + halving + 3));
       tallies[k] =
           count_passes({std::ldexp(thickness, size - 1), speed, spin, size == 1}, count, random);
@@ -203,12 +203,10 @@ Result measure_missed_passes(const Parameters& settings) {
 
 const Registered claim_3_2a_missed_figure{
     {.name = "claim_3_2a_missed",
-     .parameters =
-         Parameters{}
-             .add_whole("passes", 20000, 100, 1000000, "random passes for each speed and size")
-             .add_number("thickness", 0.25, 0.01, 1.0, "m",
-                         "edge of the small cube; the large one has 1 m")
-             .add_number("spin", 10.0, 0.0, 100.0, "rad/s", "largest spin of the small cube"),
+     .parameters = {whole("passes", 20000, 100, 1000000, "random passes for each speed and size"),
+                    number("thickness", 0.25, 0.01, 1.0, "m",
+                           "edge of the small cube; the large one has 1 m"),
+                    number("spin", 10.0, 0.0, 100.0, "rad/s", "largest spin of the small cube")},
      .quick = {"passes=1000"},
      .experiment = measure_missed_passes}};
 

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Scenes run for a while and drawn as boxes in three dimensions.
-#include "tumble/base/number_text.hpp"
 #include "tumble/basic_colliding/basic.hpp"
 #include "tumble/math/bracket.hpp"
 #include "tumble/pictures/world_picture.hpp"
@@ -30,8 +29,8 @@ Table pose_table(const std::string& suffix) {
 void add_poses(const World& world, Table& table) {
   double number = 0.0;
   for (int k = 0; k < world.count(); ++k) {
-    if (world.bodies()[static_cast<std::size_t>(k)].shape == Shape::ground) continue;
-    const BodyState& state = world.states()[static_cast<std::size_t>(k)];
+    if (world.bodies()[idx(k)].shape == Shape::ground) continue;
+    const BodyState& state = world.states()[idx(k)];
     const Vec3& p = state.position_w;
     const Quat& q = state.orientation_wb;
     table.add(world.time(), ++number, p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z());
@@ -156,15 +155,13 @@ Result measure_dice_strip(const Parameters& settings) {
 
 const Registered dice_strip_figure{
     {.name = "dice_strip",
-     .parameters =
-         Parameters{}
-             .add_number("speed", 0.5, 0.0, 10.0, "m/s", "sideways, at the start")
-             .add_number("spin", 15.0, 0.0, 100.0, "rad/s", "at the start, about a random axis")
-             .add_number("restitution", 0.4, 0.0, 1.0, "-", "rebound speed over impact speed")
-             .add_whole("seed", 1, 0, 1000000, "of orientation and axis of spin")
-             .add_number("first", 0.22, 0.0, 10.0, "s", "time of the first frame")
-             .add_number("interval", 0.08, 0.001, 10.0, "s", "from frame to frame")
-             .add_number("step", 0.01, 1e-4, 0.1, "s", "time step"),
+     .parameters = {number("speed", 0.5, 0.0, 10.0, "m/s", "sideways, at the start"),
+                    number("spin", 15.0, 0.0, 100.0, "rad/s", "at the start, about a random axis"),
+                    number("restitution", 0.4, 0.0, 1.0, "-", "rebound speed over impact speed"),
+                    whole("seed", 1, 0, 1000000, "of orientation and axis of spin"),
+                    number("first", 0.22, 0.0, 10.0, "s", "time of the first frame"),
+                    number("interval", 0.08, 0.001, 10.0, "s", "from frame to frame"),
+                    number("step", 0.01, 1e-4, 0.1, "s", "time step")},
      .experiment = measure_dice_strip}};
 
 // How a scene is shown in the gallery.
@@ -240,11 +237,11 @@ Figure gallery_figure(const Shot& shot) {
                   return measure_gallery(name, settings);
                 }};
   set_all(figure.parameters, shot.change);
-  figure.parameters.add_number("time", shot.time, 0.0, 60.0, "s", "when the picture is taken")
-      .add_whole("event_cap", 20, 1, 1000000, "moments of impact allowed in one step")
-      .add_number("view_x", shot.view[0], -1e3, 1e3, "-", "direction to the eye, x")
-      .add_number("view_y", shot.view[1], -1e3, 1e3, "-", "direction to the eye, y")
-      .add_number("view_z", shot.view[2], -1e3, 1e3, "-", "direction to the eye, z");
+  figure.parameters.add(number("time", shot.time, 0.0, 60.0, "s", "when the picture is taken"))
+      .add(whole("event_cap", 20, 1, 1000000, "moments of impact allowed in one step"))
+      .add(number("view_x", shot.view[0], -1e3, 1e3, "-", "direction to the eye, x"))
+      .add(number("view_y", shot.view[1], -1e3, 1e3, "-", "direction to the eye, y"))
+      .add(number("view_z", shot.view[2], -1e3, 1e3, "-", "direction to the eye, z"));
   return figure;
 }
 

@@ -4,7 +4,6 @@
 #include "tumble/dynamics/pair_search.hpp"
 
 #include "basic_colliding/near_pairs.hpp"
-#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -154,13 +153,11 @@ Result measure_restarts(const Parameters& settings) {
 
 const Registered claim_3_3_1c_restarts_figure{
     {.name = "claim_3_3_1c_restarts",
-     .parameters =
-         Parameters{}
-             .add_whole("seeds", 20, 1, 1000, "runs for each step")
-             .add_whole("varied", 4, 1, 1000, "runs with half and with twice as many cubes")
-             .add_whole("duration", 10, 1, 100, "length of a run in seconds")
-             .add_whole("count", 60, 2, 1000, "cubes")
-             .add_number("room", 2.5, 1.8, 100.0, "m", "edge of the space that each cube has"),
+     .parameters = {whole("seeds", 20, 1, 1000, "runs for each step"),
+                    whole("varied", 4, 1, 1000, "runs with half and with twice as many cubes"),
+                    whole("duration", 10, 1, 100, "length of a run in seconds"),
+                    whole("count", 60, 2, 1000, "cubes"),
+                    number("room", 2.5, 1.8, 100.0, "m", "edge of the space that each cube has")},
      .quick = {"seeds=2", "varied=2", "duration=5"},
      .experiment = measure_restarts}};
 

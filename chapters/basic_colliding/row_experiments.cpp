@@ -21,7 +21,7 @@ std::vector<MovingBody> row_of_cubes(int count) {
 Vec3 contact_point(int contact) { return {contact + 0.5, 0.0, 0.0}; }
 
 double separation_speed(const std::vector<MovingBody>& row, int contact) {
-  const auto i = static_cast<std::size_t>(contact);
+  const auto i = idx(contact);
   return relative_velocity(row[i], row[i + 1], contact_point(contact)).x();
 }
 
@@ -29,7 +29,7 @@ double separation_speed(const std::vector<MovingBody>& row, int contact) {
 std::vector<Contact> contacts_of(const std::vector<MovingBody>& row, double restitution) {
   std::vector<Contact> contacts(row.size() - 1);
   for (int i = 0; i + 1 < static_cast<int>(row.size()); ++i) {
-    Contact& contact = contacts[static_cast<std::size_t>(i)];
+    Contact& contact = contacts[idx(i)];
     contact.first = i;
     contact.second = i + 1;
     contact.normal_w = Vec3::UnitX();
@@ -54,7 +54,7 @@ Result measure_cradle(const Parameters& settings) {
   if (moving >= boxes) throw std::invalid_argument("moving: give fewer than boxes");
 
   std::vector<MovingBody> before = row_of_cubes(boxes);
-  for (int i = 0; i < moving; ++i) before[static_cast<std::size_t>(i)].velocity_w = Vec3::UnitX();
+  for (int i = 0; i < moving; ++i) before[idx(i)].velocity_w = Vec3::UnitX();
   std::vector<MovingBody> at_once = before;
   collide(at_once, restitution, ImpactOrder::simultaneous);
   std::vector<MovingBody> in_turn = before;
@@ -73,11 +73,9 @@ Result measure_cradle(const Parameters& settings) {
 
 const Registered cradle_figure{
     {.name = "cradle",
-     .parameters =
-         Parameters{}
-             .add_whole("boxes", 5, 2, 12, "how many boxes in the row")
-             .add_whole("moving", 1, 1, 11, "how many of them move at first")
-             .add_number("restitution", 1.0, 0.0, 1.0, "-", "rebound speed over impact speed"),
+     .parameters = {whole("boxes", 5, 2, 12, "how many boxes in the row"),
+                    whole("moving", 1, 1, 11, "how many of them move at first"),
+                    number("restitution", 1.0, 0.0, 1.0, "-", "rebound speed over impact speed")},
      .quick = {"boxes=3"},
      .experiment = measure_cradle}};
 

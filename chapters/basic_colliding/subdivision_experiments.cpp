@@ -148,12 +148,10 @@ Result measure_subdivision(const Parameters& settings) {
 
 const Registered claim_4_1a_subdivision_figure{
     {.name = "claim_4_1a_subdivision",
-     .parameters =
-         Parameters{}
-             .add_whole("seeds", 20, 1, 1000, "runs for each number of bodies")
-             .add_whole("steps", 30, 1, 1000, "of 1/60 s in a run")
-             .add_number("spacing", 2.0, 1.0, 100.0, "m", "edge of the space that each cube has")
-             .add_whole("most", 3000, 2, 3000, "most bodies"),
+     .parameters = {whole("seeds", 20, 1, 1000, "runs for each number of bodies"),
+                    whole("steps", 30, 1, 1000, "of 1/60 s in a run"),
+                    number("spacing", 2.0, 1.0, 100.0, "m", "edge of the space that each cube has"),
+                    whole("most", 3000, 2, 3000, "most bodies")},
      .quick = {"seeds=2", "most=1000"},
      .experiment = measure_subdivision}};
 

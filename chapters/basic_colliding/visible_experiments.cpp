@@ -4,7 +4,6 @@
 #include "tumble/dynamics/pair_search.hpp"
 
 #include "basic_colliding/near_pairs.hpp"
-#include "driver/experiment.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -174,12 +173,11 @@ Result measure_missed_visible(const Parameters& settings) {
 
 const Registered claim_3_2b_visible_figure{
     {.name = "claim_3_2b_visible",
-     .parameters = Parameters{}
-                       .add_whole("seeds", 20, 1, 1000, "runs of each scene")
-                       .add_whole("rows", 7, 1, 20, "rows of the pyramid")
-                       .add_whole("per_edge", 4, 1, 6, "cubes along each edge of the clump")
-                       .add_number("duration", 1.0, 0.1, 10.0, "s", "length of a run")
-                       .add_whole("event_cap", 50, 1, 100000, "moments of impact in a step"),
+     .parameters = {whole("seeds", 20, 1, 1000, "runs of each scene"),
+                    whole("rows", 7, 1, 20, "rows of the pyramid"),
+                    whole("per_edge", 4, 1, 6, "cubes along each edge of the clump"),
+                    number("duration", 1.0, 0.1, 10.0, "s", "length of a run"),
+                    whole("event_cap", 50, 1, 100000, "moments of impact in a step")},
      .quick = {"seeds=4"},
      .experiment = measure_missed_visible}};
 

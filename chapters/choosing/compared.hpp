@@ -52,7 +52,6 @@ class After : public RunObserver {
 };
 
 // Runs a scene under a technique.
-// dt: [s] the step
 // duration: [s] simulated time
 // stop: called before every step; true ends the run as interrupted
 inline RunResult run_compared(const Scene& scene, const PlayedTechnique& played, double dt,

@@ -1,8 +1,6 @@
 /// \file
 /// \brief The cost of a step at 10, 100 and 1000 boxes, in counts.
-#include "choosing/cost_experiments.hpp"
-
-#include "driver/experiment.hpp"
+#include "choosing/experiments.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -91,10 +89,8 @@ Result measure_cost(const Parameters& settings) {
 
 const Registered choose_cost_figure{
     {.name = "choose_cost",
-     .parameters =
-         Parameters{}
-             .add_whole("steps", 4, 1, 1000, "of 1/60 s, over which the work is averaged")
-             .add_flag("patient", false, "run what takes a second or more for a step too"),
+     .parameters = {whole("steps", 4, 1, 1000, "of 1/60 s, over which the work is averaged"),
+                    flag("patient", false, "run what takes a second or more for a step too")},
      .quick = {"steps=1"},
      .experiment = measure_cost}};
 

@@ -1,8 +1,6 @@
 /// \file
 /// \brief Boxes that should rest, and one that should tip, under each technique.
-#include "choosing/rest_experiments.hpp"
-
-#include "driver/experiment.hpp"
+#include "choosing/experiments.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -128,14 +126,13 @@ Result measure_rest_and_tip(const Parameters& settings) {
 
 const Registered choose_rest_figure{
     {.name = "choose_rest",
-     .parameters =
-         Parameters{}
-             .add_whole("boxes", 10, 1, 20, "of the stack")
-             .add_whole("seeds", 3, 1, 100, "starts of each pile, of which the worst counts")
-             .add_number("scatter", 0.01, 0.0, 0.1, "m",
-                         "how far boxes of piles are off their places")
-             .add_number("duration", 2.0, 0.5, 60.0, "s", "simulated time of each pile")
-             .add_number("within", 0.1, 0.001, 20.0, "deg", "of the slope from which a box tips"),
+     .parameters = {whole("boxes", 10, 1, 20, "of the stack"),
+                    whole("seeds", 3, 1, 100, "starts of each pile, of which the worst counts"),
+                    number("scatter", 0.01, 0.0, 0.1, "m",
+                           "how far boxes of piles are off their places"),
+                    number("duration", 2.0, 0.5, 60.0, "s", "simulated time of each pile"),
+                    number("within", 0.1, 0.001, 20.0, "deg",
+                           "of the slope from which a box tips")},
      .quick = {"boxes=2", "seeds=1", "duration=0.6", "within=10"},
      .experiment = measure_rest_and_tip}};
 

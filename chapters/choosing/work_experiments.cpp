@@ -1,7 +1,6 @@
 /// \file
 /// \brief Error against work: each technique on motions with closed forms (thesis 6.3.2).
-#include "choosing/work_experiments.hpp"
-
+#include "choosing/experiments.hpp"
 #include "choosing/problems.hpp"
 
 namespace tumble::chapters {
@@ -139,11 +138,10 @@ Result measure_work_against_error(const Parameters& settings) {
 
 const Registered claim_6_3_2a_work_figure{
     {.name = "claim_6_3_2a_work",
-     .parameters = Parameters{}
-                       .add_whole("finest", 32, 1, 1024,
-                                  "steps in 1/30 s at most; from 1 on, doubled each time")
-                       .add_number("tolerance", 0.01, 1e-9, 1.0, "-",
-                                   "error for which the least work is asked"),
+     .parameters = {whole("finest", 32, 1, 1024,
+                          "steps in 1/30 s at most; from 1 on, doubled each time"),
+                    number("tolerance", 0.01, 1e-9, 1.0, "-",
+                           "error for which the least work is asked")},
      .quick = {"finest=4"},
      .experiment = measure_work_against_error}};
 

@@ -89,12 +89,12 @@ Result measure_crate(const Parameters& settings) {
 
 Parameters crate_parameters() {
   Parameters parameters;
-  parameters.add_number("speed", 3.5, 0.0, 100.0, "m/s", "at the start, Coulomb's friction")
-      .add_number("damped_speed", 10.0, 0.0, 100.0, "m/s", "at the start, damped")
-      .add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb's coefficient");
+  parameters.add(number("speed", 3.5, 0.0, 100.0, "m/s", "at the start, Coulomb's friction"))
+      .add(number("damped_speed", 10.0, 0.0, 100.0, "m/s", "at the start, damped"))
+      .add(number("friction", 0.3, 0.0, 10.0, "-", "Coulomb's coefficient"));
   for (std::size_t k = 0; k < kFrames.size(); ++k)
-    parameters.add_number(frame_key(k), kFrames[k], -10.0, 60.0, "s",
-                          "of a frame, since the crate passes the edge");
+    parameters.add(number(frame_key(k), kFrames[k], -10.0, 60.0, "s",
+                          "of a frame, since the crate passes the edge"));
   return parameters;
 }
 

@@ -138,13 +138,11 @@ Result measure_faces(const Parameters& settings) {
 
 const Registered claim_3_1a_faces_figure{
     {.name = "claim_3_1a_faces",
-     .parameters =
-         Parameters{}
-             .add_whole("smallest", 2, 1, 10, "cubes along each edge of the smallest grid")
-             .add_whole("largest", 4, 1, 10, "cubes along each edge of the largest grid")
-             .add_number("duration", 7.0, 0.1, 100.0, "s", "until they have settled")
-             .add_whole("seeds", 20, 2, 1000, "clumps of each size")
-             .add_whole("damped_seeds", 5, 2, 1000, "the same, damped as in the thesis"),
+     .parameters = {whole("smallest", 2, 1, 10, "cubes along each edge of the smallest grid"),
+                    whole("largest", 4, 1, 10, "cubes along each edge of the largest grid"),
+                    number("duration", 7.0, 0.1, 100.0, "s", "until they have settled"),
+                    whole("seeds", 20, 2, 1000, "clumps of each size"),
+                    whole("damped_seeds", 5, 2, 1000, "the same, damped as in the thesis")},
      .quick = {"largest=2", "seeds=3", "damped_seeds=3", "duration=5"},
      .experiment = measure_faces}};
 

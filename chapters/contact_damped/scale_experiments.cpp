@@ -196,8 +196,7 @@ Result measure_size(const Parameters& settings) {
 
 const Registered claim_6_3_1a_size_figure{
     {.name = "claim_6_3_1a_size",
-     .parameters =
-         Parameters{}.add_number("duration", 3.0, 1.5, 60.0, "s", "of each run, at size 1"),
+     .parameters = {number("duration", 3.0, 1.5, 60.0, "s", "of each run, at size 1")},
      .quick = {"duration=1.5"},
      .experiment = measure_size}};
 

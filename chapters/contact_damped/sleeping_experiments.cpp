@@ -159,10 +159,9 @@ Result measure_sleeping(const Parameters& settings) {
 
 const Registered claim_4_5a_sleeping_figure{
     {.name = "claim_4_5a_sleeping",
-     .parameters = Parameters{}
-                       .add_whole("stacks", 20, 10, 1000, "side by side; tens are best")
-                       .add_whole("boxes", 5, 2, 50, "in each stack")
-                       .add_number("speed", 2.0, 0.0, 10.0, "m/s", "of the boxes that are pushed"),
+     .parameters = {whole("stacks", 20, 10, 1000, "side by side; tens are best"),
+                    whole("boxes", 5, 2, 50, "in each stack"),
+                    number("speed", 2.0, 0.0, 10.0, "m/s", "of the boxes that are pushed")},
      .quick = {"stacks=10", "boxes=3"},
      .experiment = measure_sleeping}};
 

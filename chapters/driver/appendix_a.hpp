@@ -1,7 +1,8 @@
 /// \file
-/// \brief The listings of the thesis's appendix A beside the source lines that do them.
+/// \brief The listings of the thesis's appendix A beside the source lines that do them, and the page that shows them.
 #pragma once
 
+#include "driver/errata.hpp"
 #include "driver/marks.hpp"
 
 #include <filesystem>
@@ -52,5 +53,15 @@ std::vector<std::filesystem::path> sources_in(const std::filesystem::path& folde
 // there does this line alone.
 std::vector<AppendixListing> read_appendix(const std::filesystem::path& path,
                                            const std::vector<std::filesystem::path>& sources);
+
+// Where Doxygen shows a line of a source file.
+std::string source_link(const std::string& path, std::size_t line);
+
+// Every line of the listings: what it says, the code as printed and as meant, why they differ.
+//
+// Other pages refer to it by `\ref appendix_a`, to a listing by `\ref appendix_a_collide`; a line is at
+// `appendix_a.html#collide_14`.
+std::string appendix_page(const std::vector<AppendixListing>& listings,
+                          const std::vector<ErratumEntry>& errata);
 
 }  // namespace tumble::chapters

@@ -1,7 +1,6 @@
 /// \file
 /// \brief The page that shows appendix A line by line beside the source.
-#include "driver/appendix_page.hpp"
-
+#include "driver/appendix_a.hpp"
 #include "driver/markup.hpp"
 
 #include <algorithm>

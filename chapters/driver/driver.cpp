@@ -4,8 +4,8 @@
 
 #include "driver/csv.hpp"
 #include "driver/figure_texts.hpp"
+#include "driver/played_scene.hpp"
 #include "driver/registry.hpp"
-#include "driver/settings.hpp"
 
 #include <algorithm>
 #include <cstdio>

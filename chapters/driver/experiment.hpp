@@ -11,11 +11,8 @@
 #include "tumble/math/rotation.hpp"
 #include "tumble/scenes/library.hpp"
 
-#include "driver/common_numbers.hpp"
-#include "driver/finished.hpp"
 #include "driver/played_scene.hpp"
 #include "driver/registry.hpp"
-#include "driver/settings.hpp"
 #include "driver/statistics.hpp"
 
 #include <algorithm>

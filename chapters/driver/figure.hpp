@@ -19,6 +19,8 @@
 // into files; gnuplot draws from those. Nothing that a reader sees on a picture was typed by hand.
 namespace tumble::chapters {
 
+using namespace declare;
+
 // One column of a table.
 struct Column {
   std::string name;     // with its unit as suffix, for example "time_s"

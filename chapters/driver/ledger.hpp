@@ -2,8 +2,6 @@
 /// \brief The ledger: what the thesis claims, the number that decides, the verdict.
 #pragma once
 
-#include "driver/check.hpp"
-#include "driver/second.hpp"
 #include "driver/verdict.hpp"
 
 #include <filesystem>

@@ -1,25 +1,51 @@
 /// \file
-/// \brief Simulations of built-in scenes for experiments.
+/// \brief Simulations of built-in scenes for experiments: numbers that they share, settings, steps that have to finish.
 #pragma once
 
 #include "tumble/base/index.hpp"
+#include "tumble/base/parameters.hpp"
+#include "tumble/record/run.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/scenes/simulation.hpp"
 
-#include "driver/common_numbers.hpp"
 #include "driver/csv.hpp"
-#include "driver/finished.hpp"
-#include "driver/settings.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace tumble::chapters {
+
+inline constexpr double kGravity = 9.81;       // [m/s²] of the built-in scenes
+inline constexpr double kStep = 1.0 / 60.0;    // [s] the thesis's: 60 frames a second
+inline constexpr double kNearNothing = 1e-17;  // errors of 0 are drawn here on a logarithmic axis
+
+// The report of a step of an experiment, which has to be done: the rest is no measurement.
+// Throws std::runtime_error naming the status.
+inline const StepReport& finished(const StepReport& report) {
+  if (report.status != StepStatus::done)
+    throw std::runtime_error("a step of this experiment ended as " +
+                             std::string(name_of(report.status)));
+  return report;
+}
+
+// The same where a step may end at its cap on events, and the experiment counts and shows those that do.
+// Returns whether this one did.
+inline bool ended_at_cap(const StepReport& report) {
+  if (report.status == StepStatus::event_cap) return true;
+  finished(report);
+  return false;
+}
+
+// Changes several parameters.
+inline void set_all(Parameters& parameters, const std::vector<std::string>& settings) {
+  for (const std::string& setting : settings) parameters.assign(setting);
+}
 
 // A technique and changes of its options.
 struct PlayedTechnique {

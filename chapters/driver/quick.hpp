@@ -2,8 +2,8 @@
 /// \brief Running a figure small and asking for a number of it, as tests do.
 #pragma once
 
+#include "driver/played_scene.hpp"
 #include "driver/registry.hpp"
-#include "driver/settings.hpp"
 
 #include <map>
 #include <stdexcept>

@@ -13,7 +13,7 @@ namespace tumble::chapters {
 //
 // \code
 // const Registered zeno_figure{{.name = "zeno",
-//                               .parameters = Parameters{}.add_number(...),
+//                               .parameters = {number(...)},
 //                               .quick = {"restitution=0.5"},
 //                               .experiment = measure_zeno}};
 // \endcode

@@ -1,6 +1,6 @@
 /// \file
 /// \brief The program that writes those pages of the site that are made from numbers.
-#include "driver/appendix_page.hpp"
+#include "driver/appendix_a.hpp"
 #include "driver/csv.hpp"
 #include "driver/findings.hpp"
 #include "driver/pages.hpp"

@@ -2,8 +2,6 @@
 /// \brief The single rotation that keeps the nested boxes of figure 6.3 together best.
 #include "exterior_rotation/best_frame.hpp"
 
-#include "driver/experiment.hpp"
-
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_min.h>
 

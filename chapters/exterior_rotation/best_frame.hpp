@@ -19,7 +19,6 @@ struct BestFrame {
 // which c cancels. For any rate Omega but 0 there is one c that closes the lower joint. So the best frame
 // closes it, and the rest is the upper joint's mismatch, a function of Omega alone. Its smallest value
 // is looked for on a grid and between its points by Brent's method.
-// dt: [s] of the step
 // widest: [rad/s] rates of the frame up to this one are tried, both ways round
 BestFrame best_frame(const World& world, std::span<const Joint> joints, double dt, double widest);
 

@@ -63,7 +63,7 @@ inline Raster with_lens(const Film& film, int frame, const FilmPainter& painter,
                         const Vec3& point_w, double enlarged) {
   constexpr int size = 108;            // [px] of the lens
   constexpr std::uint8_t dark = 0x20;  // its edge
-  const std::vector<PictureBox>& boxes = film.frames[static_cast<std::size_t>(frame)].boxes;
+  const std::vector<PictureBox>& boxes = film.frames[idx(frame)].boxes;
   const Vec3 direction_w(0.12, 0.03,
                          1.0);  // lower than that of the film: a gap above a surface is seen
   Camera near = film.camera;
@@ -78,8 +78,7 @@ inline Raster with_lens(const Film& film, int frame, const FilmPainter& painter,
     for (int x = 0; x < 3 * size; ++x) {
       const bool edge = std::min({x / 3, y, size - 1 - x / 3, size - 1 - y}) < 2;
       const int at = 3 * ((out.height - size + y - 4) * out.width + out.width - size - 4) + x;
-      out.rgb[static_cast<std::size_t>(at)] =
-          edge ? dark : lens.rgb[static_cast<std::size_t>(3 * size * y + x)];
+      out.rgb[idx(at)] = edge ? dark : lens.rgb[static_cast<std::size_t>(3 * size * y + x)];
     }
   }
   return out;
@@ -101,7 +100,7 @@ inline std::string coarse_film(const World& start, const CoarseSteps& coarse) {
   const FilmPainter first(left);
   const FilmPainter second(right);
   return to_gif(film_delays(left, speed / coarse.step), [&](int frame) {
-    const auto k = static_cast<std::size_t>(frame);
+    const auto k = idx(frame);
     return beside(
         with_lens(left, frame, first, seen_joint(apart, apart.frames[k]), coarse.enlarged),
         with_lens(right, frame, second, seen_joint(arcs, arcs.frames[k]), coarse.enlarged));

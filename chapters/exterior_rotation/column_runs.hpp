@@ -68,10 +68,9 @@ struct ColumnFall {
 // Settings of a figure for a fall.
 // time: [s] that it falls
 inline Parameters fall_parameters(double time) {
-  return Parameters{}
-      .add_number("phi0", 0.3, 0.01, 0.5, "rad",
-                  "of the column's centre at the start, from the vertical")
-      .add_number("time", time, 0.1, 3.0, "s", "that it falls");
+  return {number("phi0", 0.3, 0.01, 0.5, "rad",
+                 "of the column's centre at the start, from the vertical"),
+          number("time", time, 0.1, 3.0, "s", "that it falls")};
 }
 
 // The end of a run.

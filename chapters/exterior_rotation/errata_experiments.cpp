@@ -2,7 +2,6 @@
 /// \brief Errata P15 and P15b: one force and one torque, and boxes that stay together (thesis 6.2).
 #include "tumble/exterior_rotation/glued.hpp"
 
-#include "driver/experiment.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 #include "exterior_rotation/held_run.hpp"
@@ -144,13 +143,12 @@ Result measure_rotation_errata(const Parameters& settings) {
 
 const Registered errata_exterior_rotation_figure{
     {.name = "errata_exterior_rotation",
-     .parameters = Parameters{}
-                       .add_number("speed", 2.0, 0.1, 20.0, "rad/s", "of the column that turns")
-                       .add_number("rate", 60.0, 10.0, 1e4, "1/s", "steps a second")
-                       .add_number("angle", 0.3, 0.05, 0.6, "rad",
-                                   "at which the column that falls is released")
-                       .add_number("duration", 1.0, 0.1, 2.0, "s", "of its fall")
-                       .add_whole("turns", 40, 2, 1000, "steps in the sweep, less one"),
+     .parameters = {number("speed", 2.0, 0.1, 20.0, "rad/s", "of the column that turns"),
+                    number("rate", 60.0, 10.0, 1e4, "1/s", "steps a second"),
+                    number("angle", 0.3, 0.05, 0.6, "rad",
+                           "at which the column that falls is released"),
+                    number("duration", 1.0, 0.1, 2.0, "s", "of its fall"),
+                    whole("turns", 40, 2, 1000, "steps in the sweep, less one")},
      .quick = {"turns=4"},
      .experiment = measure_rotation_errata}};
 

@@ -1,6 +1,5 @@
 /// \file
 /// \brief A column, or one box, falls over the edge of a larger one (figures 6.1 and 6.2).
-#include "driver/experiment.hpp"
 #include "exterior_rotation/coarse_film.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/glued_runs.hpp"
@@ -190,9 +189,8 @@ std::string fall_film(const Parameters& settings, const CoarseSteps& coarse) {
 const Registered fig6_1_column_figure{
     {.name = "fig6_1_column",
      .parameters = film_parameters(
-         Parameters{}
-             .add_whole("boxes", 4, 2, 8, "cubes in the column")
-             .add_number("angle", 0.3, 0.05, 0.9, "rad", "of the column's centre at the start"),
+         Parameters{whole("boxes", 4, 2, 8, "cubes in the column"),
+                    number("angle", 0.3, 0.05, 0.9, "rad", "of the column's centre at the start")},
          1.0, {0.0, 1.0}),
      .quick = {"rate=30"},
      .experiment = [](const Parameters& settings) {
@@ -204,9 +202,8 @@ const Registered fig6_1_column_figure{
 const Registered fig6_2_one_box_figure{
     {.name = "fig6_2_one_box",
      .parameters = film_parameters(
-         Parameters{}
-             .add_whole("boxes", 1, 1, 1, "one")
-             .add_number("angle", 0.3, 0.05, 0.9, "rad", "of the box's centre at the start"),
+         Parameters{whole("boxes", 1, 1, 1, "one"),
+                    number("angle", 0.3, 0.05, 0.9, "rad", "of the box's centre at the start")},
          0.45, {0.0, 0.45}),
      .quick = {"rate=30"},
      .experiment = [](const Parameters& settings) {

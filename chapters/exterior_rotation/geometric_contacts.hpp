@@ -116,7 +116,6 @@ class GeometricContacts {
   }
 
   // One step.
-  // dt: [s] above 0
   void advance(World& world, double dt) {
     require::positive(dt, "dt");
     if (joints_.empty()) find(world);

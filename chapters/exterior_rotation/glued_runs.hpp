@@ -34,7 +34,6 @@ struct GluedRun {
 };
 
 // Runs a group that sticks.
-// dt: [s] of a step
 inline GluedRun run_glued(World world, const GluedOptions& options, double dt, int steps,
                           const std::function<void(const World&, const JointGap&)>& after = {}) {
   Glued technique(options);

@@ -95,7 +95,6 @@ inline double signed_gap(const JointGap& gap) {
 }
 
 // Steps a group.
-// dt: [s] of a step, above 0
 inline HeldRun run_held(const World& start, const GluedOptions& options, double dt, int steps) {
   HeldRun run{.start = start};
   World world = start;
@@ -161,7 +160,6 @@ inline GluedOptions options_of(const FilmScheme& scheme, PoseUpdate pose = PoseU
 
 // By how far one step from an exact state of the column pulls its highest joint apart, along the line
 // from the centre of rotation of the one to that of the other.
-// dt: [s] above 0
 // Returns [m] above 0 a gap, below 0 overlap
 inline double gap_of_step(const World& world, const GluedOptions& options, double dt) {
   World moved = world;

@@ -1,6 +1,5 @@
 /// \file
 /// \brief A box turns on a box that turns, centres and orientations moved apart and together (figure 6.3).
-#include "driver/experiment.hpp"
 #include "exterior_rotation/coarse_film.hpp"
 #include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/nested_pendulum.hpp"
@@ -97,8 +96,7 @@ double largest_apart(const HeldRun& run, std::size_t joint) {
 
 Result measure_nested(const Parameters& settings) {
   const std::vector<NestedRun> nested = nested_runs(settings);
-  Result result;
-  result.tables.push_back(apart_over_time(nested));
+  Result result{.tables = {apart_over_time(nested)}};
   draw_nested(nested, settings, result);
   const auto upper = [&](std::size_t k) { return 1e3 * largest_apart(nested[k].run, kUpper); };
   result.quantities = {

@@ -2,7 +2,6 @@
 /// \brief One rotation for the group, one for each body, or a tree of pivots: figure 6.3 (claim 6.2c).
 #include "tumble/exterior_rotation/glued.hpp"
 
-#include "driver/experiment.hpp"
 #include "exterior_rotation/best_frame.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 
@@ -172,11 +171,9 @@ Result measure_one_pivot(const Parameters& settings) {
 
 const Registered claim_6_2c_one_pivot_figure{
     {.name = "claim_6_2c_one_pivot",
-     .parameters =
-         Parameters{}
-             .add_number("rate", 60.0, 1.0, 1e4, "1/s", "steps a second, of the comparison")
-             .add_whole("steps", 12, 2, 100, "lengths of a step")
-             .add_whole("spins", 100, 2, 1000, "of the upper box, from -10 to 10 rad/s"),
+     .parameters = {number("rate", 60.0, 1.0, 1e4, "1/s", "steps a second, of the comparison"),
+                    whole("steps", 12, 2, 100, "lengths of a step"),
+                    whole("spins", 100, 2, 1000, "of the upper box, from -10 to 10 rad/s")},
      .quick = {"spins=10", "steps=6"},
      .experiment = measure_one_pivot}};
 

@@ -1,6 +1,5 @@
 /// \file
 /// \brief The column of figure 6.1, each body moved by one twist (claim 6.2d).
-#include "driver/experiment.hpp"
 #include "exterior_rotation/column_runs.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 
@@ -89,11 +88,9 @@ Result measure_one_twist(const Parameters& settings) {
 
 const Registered claim_6_2d_one_twist_figure{
     {.name = "claim_6_2d_one_twist",
-     .parameters =
-         Parameters{}
-             .add_number("angle", 0.3, 0.01, 1.0, "rad", "of the column's centre at the start")
-             .add_number("rate", 60.0, 5.0, 1e4, "1/s", "steps a second")
-             .add_number("duration", 1.0, 0.1, 1.5, "s", "of the fall"),
+     .parameters = {number("angle", 0.3, 0.01, 1.0, "rad", "of the column's centre at the start"),
+                    number("rate", 60.0, 5.0, 1e4, "1/s", "steps a second"),
+                    number("duration", 1.0, 0.1, 1.5, "s", "of the fall")},
      .experiment = measure_one_twist}};
 
 }  // namespace

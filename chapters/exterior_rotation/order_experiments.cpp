@@ -1,6 +1,5 @@
 /// \file
 /// \brief Orders of the glued column's integration (claim 6.2b).
-#include "driver/experiment.hpp"
 #include "exterior_rotation/column_reference.hpp"
 #include "exterior_rotation/column_runs.hpp"
 
@@ -139,10 +138,10 @@ Result measure_glued_order(const Parameters& settings) {
 
 const Registered claim_6_2b_order_figure{
     {.name = "claim_6_2b_order",
-     .parameters =
-         fall_parameters(1.0)
-             .add_whole("doublings", 9, 4, 12, "of 5 steps in the whole fall")
-             .add_number("floor", 2e-13, 1e-14, 1e-6, "m or rad", "errors below it are not fitted"),
+     .parameters = fall_parameters(1.0)
+                       .add(whole("doublings", 9, 4, 12, "of 5 steps in the whole fall"))
+                       .add(number("floor", 2e-13, 1e-14, 1e-6, "m or rad",
+                                   "errors below it are not fitted")),
      .quick = {"doublings=6"},
      .experiment = measure_glued_order}};
 

@@ -40,7 +40,6 @@ inline double largest_gap(std::span<const Joint> joints, std::span<const BodySta
 // \f$v^+ = v + h a\f$. The push goes through the centre of the column, so nothing turns, and the
 // acceleration is what JointForces::project() makes of the accelerations without glue.
 // push: [N] of all cubes together
-// dt: [s] of a step, above 0
 inline PushedRun push_column(int boxes, double push, double dt, int steps) {
   World world = lone_column(boxes);
   const std::vector<Joint> joints = find_joints(world, kPushedMargin);

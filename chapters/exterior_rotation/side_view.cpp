@@ -198,12 +198,12 @@ SideView film_inset(const World& world, const FilmLayout& layout, const SideView
 
 Parameters film_parameters(Parameters first, double duration,
                            const std::array<double, kFilmFrames>& times) {
-  first.add_number("rate", 60.0, 10.0, 1e4, "1/s", "steps a second")
-      .add_number("duration", duration, 0.1, 1.2, "s", "of the motion")
-      .add_number("magnification", 50.0, 2.0, 1e3, "-", "of the insets over the frames");
+  first.add(number("rate", 60.0, 10.0, 1e4, "1/s", "steps a second"))
+      .add(number("duration", duration, 0.1, 1.2, "s", "of the motion"))
+      .add(number("magnification", 50.0, 2.0, 1e3, "-", "of the insets over the frames"));
   for (std::size_t k = 0; k < times.size(); ++k)
-    first.add_number(std::string("t").append(std::to_string(k + 1)), times[k], 0.0, 1.2, "s",
-                     "of a frame");
+    first.add(number(std::string("t").append(std::to_string(k + 1)), times[k], 0.0, 1.2, "s",
+                     "of a frame"));
   return first;
 }
 

@@ -5,7 +5,7 @@
 #include "tumble/exterior_rotation/joint.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 
-#include "driver/finished.hpp"
+#include "driver/played_scene.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/nested_pendulum.hpp"
 
@@ -119,9 +119,8 @@ Result measure_with_pose(const std::string& scene_name, const Parameters& settin
 
 Figure with_pose(const std::string& figure, const ComparedScene& scene) {
   return {.name = figure,
-          .parameters = Parameters{}
-                            .add_number("time", scene.time, 0.1, scene.time, "s", "from the start")
-                            .add_number("rate", 60.0, 10.0, 1000.0, "1/s", "steps a second"),
+          .parameters = {number("time", scene.time, 0.1, scene.time, "s", "from the start"),
+                         number("rate", 60.0, 10.0, 1000.0, "1/s", "steps a second")},
           .quick = {"time=0.2"},
           .experiment = [name = scene.name](const Parameters& settings) {
             return measure_with_pose(name, settings);

@@ -1,6 +1,5 @@
 /// \file
 /// \brief The column turns, and is pushed along without turning (claim 6.2a).
-#include "driver/experiment.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/held_run.hpp"
 #include "exterior_rotation/pushed_column.hpp"
@@ -112,14 +111,12 @@ Result measure_turning(const Parameters& settings) {
 
 const Registered claim_6_2a_turning_figure{
     {.name = "claim_6_2a_turning",
-     .parameters =
-         Parameters{}
-             .add_number("angle", 0.3, 0.05, 0.9, "rad", "of the column's centre at the start")
-             .add_number("rate", 60.0, 10.0, 1e4, "1/s", "steps a second")
-             .add_number("duration", 1.0, 0.1, 1.0, "s", "of both motions")
-             .add_number("push", 1.0, 0.0, 100.0, "-",
-                         "on the column that does not turn, over its weight")
-             .add_whole("sizes", 21, 3, 200, "single steps, from 0.1 s to 0.01 s"),
+     .parameters = {number("angle", 0.3, 0.05, 0.9, "rad", "of the column's centre at the start"),
+                    number("rate", 60.0, 10.0, 1e4, "1/s", "steps a second"),
+                    number("duration", 1.0, 0.1, 1.0, "s", "of both motions"),
+                    number("push", 1.0, 0.0, 100.0, "-",
+                           "on the column that does not turn, over its weight"),
+                    whole("sizes", 21, 3, 200, "single steps, from 0.1 s to 0.01 s")},
      .quick = {"sizes=7"},
      .experiment = measure_turning}};
 

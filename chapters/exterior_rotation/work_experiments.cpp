@@ -1,6 +1,5 @@
 /// \file
 /// \brief Steps that keep the gap of the glued column small (claim 6.2e).
-#include "driver/experiment.hpp"
 #include "exterior_rotation/column_runs.hpp"
 
 namespace tumble::chapters {
@@ -95,11 +94,11 @@ Result measure_steps_for_gap(const Parameters& settings) {
   return result;
 }
 
-const Registered claim_6_2e_steps_figure{
-    {.name = "claim_6_2e_steps",
-     .parameters = fall_parameters(1.0).add_number("gap", 1e-4, 1e-7, 1e-2, "m", "that is allowed"),
-     .quick = {"gap=1e-3"},
-     .experiment = measure_steps_for_gap}};
+const Registered claim_6_2e_steps_figure{{.name = "claim_6_2e_steps",
+                                          .parameters = fall_parameters(1.0).add(number(
+                                              "gap", 1e-4, 1e-7, 1e-2, "m", "that is allowed")),
+                                          .quick = {"gap=1e-3"},
+                                          .experiment = measure_steps_for_gap}};
 
 }  // namespace
 }  // namespace tumble::chapters

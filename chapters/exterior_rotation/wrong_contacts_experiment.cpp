@@ -2,7 +2,6 @@
 /// \brief Claim 6.2f: changes of contact that the right motion does not have.
 #include "tumble/base/tolerances.hpp"
 
-#include "driver/experiment.hpp"
 #include "driver/side_by_side.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/geometric_contacts.hpp"
@@ -271,15 +270,13 @@ Result measure_wrong_contacts(const Parameters& settings) {
 
 const Registered claim_6_2f_wrong_contacts_figure{
     {.name = "claim_6_2f_wrong_contacts",
-     .parameters =
-         Parameters{}
-             .add_number("angle", 0.3, 0.01, 0.5, "rad", "of the column's centre, at the start")
-             .add_number("seconds", 1.0, 0.1, 10.0, "s", "of the fall")
-             .add_number("rate", 60.0, 10.0, 1e4, "1/s", "steps a second")
-             .add_number("tolerance", tolerance::contact_gap, 1e-12, 1.0, "-",
-                         "distance up to which corners touch, over an edge")
-             .add_whole("within", 2, 0, 100, "steps that a change may be early or late")
-             .add_whole("per_decade", 5, 1, 100, "tolerances of the sweep"),
+     .parameters = {number("angle", 0.3, 0.01, 0.5, "rad", "of the column's centre, at the start"),
+                    number("seconds", 1.0, 0.1, 10.0, "s", "of the fall"),
+                    number("rate", 60.0, 10.0, 1e4, "1/s", "steps a second"),
+                    number("tolerance", tolerance::contact_gap, 1e-12, 1.0, "-",
+                           "distance up to which corners touch, over an edge"),
+                    whole("within", 2, 0, 100, "steps that a change may be early or late"),
+                    whole("per_decade", 5, 1, 100, "tolerances of the sweep")},
      .quick = {"per_decade=1"},
      .experiment = measure_wrong_contacts}};
 

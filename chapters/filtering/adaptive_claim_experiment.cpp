@@ -1,6 +1,5 @@
 /// \file
 /// \brief The clump of figure 6.7 with adaptive steps, against fixed ones (claim 6.3.1b).
-#include "driver/experiment.hpp"
 #include "filtering/adaptive_runs.hpp"
 
 namespace tumble::chapters {

@@ -14,12 +14,11 @@ namespace tumble::chapters {
 
 // The settings of a figure on adaptive steps.
 inline Parameters adaptive_parameters(int seeds, int per_edge, int halvings) {
-  return Parameters{}
-      .add_whole("seeds", seeds, 2, 1000, "clumps")
-      .add_whole("per_edge", per_edge, 1, 10, "cubes along each edge of the grid at the start")
-      .add_number("settling", 4.0, 0.5, 1000.0, "s", "before bodies should rest")
-      .add_number("watched", 2.0, 0.5, 1000.0, "s", "after that, a multiple of half a second")
-      .add_whole("halvings", halvings, 0, 10, "of a step, at most");
+  return {whole("seeds", seeds, 2, 1000, "clumps"),
+          whole("per_edge", per_edge, 1, 10, "cubes along each edge of the grid at the start"),
+          number("settling", 4.0, 0.5, 1000.0, "s", "before bodies should rest"),
+          number("watched", 2.0, 0.5, 1000.0, "s", "after that, a multiple of half a second"),
+          whole("halvings", halvings, 0, 10, "of a step, at most")};
 }
 
 // A run at 60 frames a second whose steps were divided, and what it took.

@@ -57,8 +57,7 @@ Eigen::Vector4d component_mean(const Trajectory& run, int middle, bool aligned) 
 // About a fixed axis a mean orientation is that of the mean angle.
 double mean_angle(const Turning& motion, int middle) {
   double sum = 0.0;
-  for (int n = middle - kMeanOf / 2; n <= middle + kMeanOf / 2; ++n)
-    sum += motion.angle[static_cast<std::size_t>(n)];
+  for (int n = middle - kMeanOf / 2; n <= middle + kMeanOf / 2; ++n) sum += motion.angle[idx(n)];
   return sum / kMeanOf;
 }
 
@@ -145,11 +144,10 @@ Result measure_component_means(const Parameters& settings) {
 
 const Registered errata_filtering_figure{
     {.name = "errata_filtering",
-     .parameters = Parameters{}
-                       .add_number("speed", 5.0, 0.01, 60.0, "rad/s", "of the body above")
-                       .add_whole("speeds", 40, 2, 10000, "in the sweep, less one")
-                       .add_number("fastest", 60.0, 1.0, 90.0, "rad/s", "of the sweep")
-                       .add_number("rate", 60.0, 60.0, 1e4, "1/s", "frames a second"),
+     .parameters = {number("speed", 5.0, 0.01, 60.0, "rad/s", "of the body above"),
+                    whole("speeds", 40, 2, 10000, "in the sweep, less one"),
+                    number("fastest", 60.0, 1.0, 90.0, "rad/s", "of the sweep"),
+                    number("rate", 60.0, 60.0, 1e4, "1/s", "frames a second")},
      .experiment = measure_component_means}};
 
 }  // namespace

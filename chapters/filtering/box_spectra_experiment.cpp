@@ -2,7 +2,6 @@
 /// \brief Claim 5.5a: the settled clump before and after filters, in amplitude, squirm and spectrum.
 #include "tumble/filtering/filters.hpp"
 
-#include "driver/experiment.hpp"
 #include "filtering/shown_clump.hpp"
 #include "filtering/spectrum.hpp"
 

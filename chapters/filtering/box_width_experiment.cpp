@@ -3,7 +3,6 @@
 #include "tumble/filtering/box_filter.hpp"
 #include "tumble/record/overlap.hpp"
 
-#include "driver/experiment.hpp"
 #include "filtering/shown_clump.hpp"
 
 namespace tumble::chapters {
@@ -220,8 +219,8 @@ const Registered claim_5_5b_width_figure{
     {.name = "claim_5_5b_width",
      .parameters =
          chattering_clump_parameters()
-             .add_number("flying", 3.0, 0.1, 1000.0, "s", "in which overlap is looked for")
-             .add_whole("piles", 24, 2, 1000, "clumps in which overlap is looked for"),
+             .add(number("flying", 3.0, 0.1, 1000.0, "s", "in which overlap is looked for"))
+             .add(whole("piles", 24, 2, 1000, "clumps in which overlap is looked for")),
      .quick = {"seeds=2", "per_edge=4", "settling=6", "watched=2", "piles=2"},
      .experiment = measure_box_widths}};
 

@@ -1,6 +1,5 @@
 /// \file
 /// \brief The runs that a corpus of motions is made of.
-#include "driver/experiment.hpp"
 #include "filtering/motion_corpus.hpp"
 
 namespace tumble::chapters {

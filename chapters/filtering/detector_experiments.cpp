@@ -2,7 +2,6 @@
 /// \brief Hits and false alarms of rules that detect chatter (claim 6.3.1c).
 #include "tumble/contact/tolerances.hpp"
 
-#include "driver/experiment.hpp"
 #include "filtering/motion_corpus.hpp"
 
 namespace tumble::chapters {
@@ -194,12 +193,11 @@ Result measure_detector(const Parameters& settings) {
 const Registered claim_6_3_1c_detector_figure{
     {.name = "claim_6_3_1c_detector",
      .parameters =
-         Parameters{}
-             .add_whole("seeds", 20, 2, 1000, "clumps, and as many sets of single boxes")
-             .add_whole("first_seed", 13, 1, 1000000,
-                        "the rule's numbers were chosen on 1 to 4, the labels mended after 5 to 12")
-             .add_whole("per_edge", 5, 2, 8, "cubes along each edge of a clump's grid at the start")
-             .add_whole("boxes", 4, 1, 1000, "of each kind, under each of two techniques"),
+         {whole("seeds", 20, 2, 1000, "clumps, and as many sets of single boxes"),
+          whole("first_seed", 13, 1, 1000000,
+                "the rule's numbers were chosen on 1 to 4, the labels mended after 5 to 12"),
+          whole("per_edge", 5, 2, 8, "cubes along each edge of a clump's grid at the start"),
+          whole("boxes", 4, 1, 1000, "of each kind, under each of two techniques")},
      .quick = {"seeds=2", "first_seed=5", "per_edge=3", "boxes=1"},
      .experiment = measure_detector}};
 

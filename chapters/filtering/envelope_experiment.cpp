@@ -3,7 +3,6 @@
 #include "tumble/filtering/envelope_filter.hpp"
 #include "tumble/record/overlap.hpp"
 
-#include "driver/experiment.hpp"
 #include "filtering/settled_run.hpp"
 
 namespace tumble::chapters {
@@ -196,12 +195,10 @@ Result sweep_envelope(const Parameters& settings) {
 
 const Registered claim_5_5c_envelope_figure{
     {.name = "claim_5_5c_envelope",
-     .parameters =
-         Parameters{}
-             .add_whole("seeds", 8, 1, 100, "clumps")
-             .add_whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start")
-             .add_number("settling", 10.0, 0.5, 60.0, "s", "before cubes should rest")
-             .add_number("watched", 4.0, 0.5, 60.0, "s", "after that"),
+     .parameters = {whole("seeds", 8, 1, 100, "clumps"),
+                    whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start"),
+                    number("settling", 10.0, 0.5, 60.0, "s", "before cubes should rest"),
+                    number("watched", 4.0, 0.5, 60.0, "s", "after that")},
      .quick = {"seeds=2", "per_edge=4", "settling=6", "watched=2"},
      .experiment = sweep_envelope}};
 

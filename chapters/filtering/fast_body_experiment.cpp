@@ -3,7 +3,6 @@
 #include "tumble/filtering/envelope_filter.hpp"
 #include "tumble/filtering/one_euro_filter.hpp"
 
-#include "driver/experiment.hpp"
 #include "filtering/settled_run.hpp"
 
 namespace tumble::chapters {
@@ -188,10 +187,9 @@ Result follow_fast_bodies(const Parameters& settings) {
 
 const Registered claim_5_5d_fast_figure{
     {.name = "claim_5_5d_fast",
-     .parameters = Parameters{}
-                       .add_whole("seeds", 20, 1, 100, "clumps, and tossed cubes")
-                       .add_whole("per_edge", 5, 2, 8, "cubes along each edge of the clump's grid")
-                       .add_number("duration", 3.0, 0.5, 60.0, "s", "of a clump, from its start"),
+     .parameters = {whole("seeds", 20, 1, 100, "clumps, and tossed cubes"),
+                    whole("per_edge", 5, 2, 8, "cubes along each edge of the clump's grid"),
+                    number("duration", 3.0, 0.5, 60.0, "s", "of a clump, from its start")},
      .quick = {"seeds=2", "per_edge=3", "duration=1"},
      .experiment = follow_fast_bodies}};
 

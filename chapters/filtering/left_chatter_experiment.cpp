@@ -1,6 +1,5 @@
 /// \file
 /// \brief Claim 6.1b: the chatter that is left in the settled clump.
-#include "driver/experiment.hpp"
 #include "filtering/settled_run.hpp"
 
 namespace tumble::chapters {
@@ -133,13 +132,11 @@ Result measure_left_chatter(const Parameters& settings) {
 
 const Registered claim_6_1b_chatter_figure{
     {.name = "claim_6_1b_chatter",
-     .parameters =
-         Parameters{}
-             .add_whole("seeds", 20, 1, 100, "clumps")
-             .add_whole("varied", 3, 1, 100, "of these, with other constants")
-             .add_whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start")
-             .add_number("settling", 10.0, 0.5, 60.0, "s", "before cubes should rest")
-             .add_number("watched", 4.0, 0.5, 60.0, "s", "after that"),
+     .parameters = {whole("seeds", 20, 1, 100, "clumps"),
+                    whole("varied", 3, 1, 100, "of these, with other constants"),
+                    whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start"),
+                    number("settling", 10.0, 0.5, 60.0, "s", "before cubes should rest"),
+                    number("watched", 4.0, 0.5, 60.0, "s", "after that")},
      .quick = {"seeds=2", "varied=2", "per_edge=3", "settling=5", "watched=1"},
      .experiment = measure_left_chatter}};
 

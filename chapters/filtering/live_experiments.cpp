@@ -2,7 +2,6 @@
 /// \brief Filters that run live: the same frames, and how late they are seen (thesis 5.5).
 #include "tumble/filtering/box_filter.hpp"
 
-#include "driver/experiment.hpp"
 #include "filtering/live_runs.hpp"
 #include "filtering/settled_run.hpp"
 
@@ -212,15 +211,14 @@ Result measure_live(const Parameters& settings) {
 
 const Registered claim_5_5e_live_figure{
     {.name = "claim_5_5e_live",
-     .parameters =
-         Parameters{}
-             .add_whole("cubes", 5, 1, 6, "along each edge of the clump that is filtered live")
-             .add_number("duration", 12.0, 0.5, 60.0, "s", "of each run that is filtered live")
-             .add_whole("pieces", 5, 1, 100, "ways to cut each run into pieces")
-             .add_number("height", 1.0, 0.01, 100.0, "m", "from which the cube falls")
-             .add_number("creep", 0.08, 0.001, 0.5, "m/s", "speed of the body that creeps")
-             .add_number("fast", 3.0, 0.7, 100.0, "m/s", "speed of the body that is fast")
-             .add_number("near", 0.01, 1e-4, 0.1, "m", "from its place at rest a cube has landed"),
+     .parameters = {whole("cubes", 5, 1, 6, "along each edge of the clump that is filtered live"),
+                    number("duration", 12.0, 0.5, 60.0, "s", "of each run that is filtered live"),
+                    whole("pieces", 5, 1, 100, "ways to cut each run into pieces"),
+                    number("height", 1.0, 0.01, 100.0, "m", "from which the cube falls"),
+                    number("creep", 0.08, 0.001, 0.5, "m/s", "speed of the body that creeps"),
+                    number("fast", 3.0, 0.7, 100.0, "m/s", "speed of the body that is fast"),
+                    number("near", 0.01, 1e-4, 0.1, "m",
+                           "from its place at rest a cube has landed")},
      .quick = {"cubes=2", "duration=1", "pieces=2"},
      .experiment = measure_live}};
 

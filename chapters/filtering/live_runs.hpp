@@ -154,7 +154,7 @@ inline double steady_delay(double speed, int frames, const PoseFilter& filter) {
   const std::vector<BodyState> seen = seen_live(run, filter);
   double sum = 0.0;
   for (int k = frames / 2; k < frames; ++k)
-    sum += (run.frame(k).states[0].position_w - seen[static_cast<std::size_t>(k)].position_w).x();
+    sum += (run.frame(k).states[0].position_w - seen[idx(k)].position_w).x();
   return sum / ((frames - frames / 2) * speed * kStep);
 }
 

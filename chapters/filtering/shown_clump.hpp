@@ -71,11 +71,10 @@ inline Shake median_shake(const std::vector<Shake>& shakes) {
 
 // The settings of a figure on box filters.
 inline Parameters chattering_clump_parameters() {
-  return Parameters{}
-      .add_whole("seeds", 8, 2, 1000, "clumps")
-      .add_whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start")
-      .add_number("settling", 10.0, 1.0, 1000.0, "s", "before bodies should rest")
-      .add_number("watched", 4.0, 0.5, 1000.0, "s", "after that, a multiple of 0.5");
+  return {whole("seeds", 8, 2, 1000, "clumps"),
+          whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start"),
+          number("settling", 10.0, 1.0, 1000.0, "s", "before bodies should rest"),
+          number("watched", 4.0, 0.5, 1000.0, "s", "after that, a multiple of 0.5")};
 }
 
 // By what boxes of two widths change the squirm of noise that is the same at all frequencies.

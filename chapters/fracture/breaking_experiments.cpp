@@ -231,9 +231,8 @@ Result measure_breaking(const Parameters& settings) {
 
 const Registered breaking_figure{
     {.name = "fracture_breaking",
-     .parameters = Parameters{}
-                       .add_whole("cells", 4, 2, 8, "most through the thickness under the load")
-                       .add_whole("drop", 2, 1, 4, "through the thickness in the drop"),
+     .parameters = {whole("cells", 4, 2, 8, "most through the thickness under the load"),
+                    whole("drop", 2, 1, 4, "through the thickness in the drop")},
      .quick = {"cells=2", "drop=1"},
      .experiment = measure_breaking}};
 

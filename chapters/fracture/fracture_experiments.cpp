@@ -176,8 +176,7 @@ Result measure_fracture_steps(const Parameters& settings) {
       growth = std::max(growth, run.worst / run.start);
     }
   }
-  Result result;
-  result.tables.push_back(table);
+  Result result{.tables = {table}};
   add_stable_steps(settings.count("cells"), result);
   result.add(
       "powers of ten between a million and the steps per second that stability needs, geometric "
@@ -200,11 +199,10 @@ Result measure_fracture_steps(const Parameters& settings) {
 
 const Registered fracture_steps_figure{
     {.name = "claim_2_4_1a_fracture_steps",
-     .parameters = Parameters{}
-                       .add_whole("fine", 2, 1, 8, "cells through the thickness of plank and wall")
-                       .add_number("transits", 10.0, 1.0, 1000.0, "-",
-                                   "of a wave through the longest edge, for each run")
-                       .add_whole("cells", 8, 2, 16, "largest number along an edge of the cube"),
+     .parameters = {whole("fine", 2, 1, 8, "cells through the thickness of plank and wall"),
+                    number("transits", 10.0, 1.0, 1000.0, "-",
+                           "of a wave through the longest edge, for each run"),
+                    whole("cells", 8, 2, 16, "largest number along an edge of the cube")},
      .quick = {"fine=1", "transits=3", "cells=4"},
      .experiment = measure_fracture_steps}};
 

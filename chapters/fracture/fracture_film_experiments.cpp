@@ -54,8 +54,7 @@ Result filmed(Fracture scene, const Vec3& size, double duration, const Vec3& dir
     drawings.push_back(
         {"frame" + std::to_string(k + 1), to_gnuplot(drawn(found.frames[at], camera, extent))});
   }
-  Result result;
-  result.tables.push_back(table);
+  Result result{.tables = {table}};
   result.add("pieces of more than a hundredth of the mass", "-", found.pieces);
   result.add("share of the mass of the largest piece", "-", found.largest);
   result.add("change of the mass", "-", found.mass);
@@ -89,19 +88,17 @@ Result measure_wall(const Parameters& settings) {
 
 const Registered plank_figure{
     {.name = "fracture_plank",
-     .parameters = Parameters{}
-                       .add_whole("fine", 2, 1, 8, "cells through the thickness")
-                       .add_number("speed", 2.0, 0.0, 100.0, "m/s", "of the drop")
-                       .add_number("duration", 0.08, 0.0025, 1.0, "s", "of the film"),
+     .parameters = {whole("fine", 2, 1, 8, "cells through the thickness"),
+                    number("speed", 2.0, 0.0, 100.0, "m/s", "of the drop"),
+                    number("duration", 0.08, 0.0025, 1.0, "s", "of the film")},
      .quick = {"fine=1", "duration=0.01"},
      .experiment = measure_plank}};
 
 const Registered wall_figure{
     {.name = "fracture_wall",
-     .parameters = Parameters{}
-                       .add_whole("fine", 2, 1, 8, "cells through the thickness")
-                       .add_number("speed", 17.0, 0.0, 100.0, "m/s", "of the cube")
-                       .add_number("duration", 0.05, 0.0025, 1.0, "s", "of the film"),
+     .parameters = {whole("fine", 2, 1, 8, "cells through the thickness"),
+                    number("speed", 17.0, 0.0, 100.0, "m/s", "of the cube"),
+                    number("duration", 0.05, 0.0025, 1.0, "s", "of the film")},
      .quick = {"fine=1", "duration=0.01"},
      .experiment = measure_wall}};
 

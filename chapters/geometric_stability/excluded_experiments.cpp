@@ -1,6 +1,5 @@
 /// \file
 /// \brief Work saved if stable boxes are left out of the contact forces (thesis 5.4).
-#include "driver/experiment.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/resting_pile.hpp"
 
@@ -154,8 +153,7 @@ Result measure_excluded(const Parameters& settings) {
     return static_cast<double>(all) / static_cast<double>(left);
   };
   const double cut = over(ours.all.report.unknowns, ours.left.report.unknowns);
-  Result result;
-  result.tables.push_back(size_table(sizes));
+  Result result{.tables = {size_table(sizes)}};
   result.quantities = {
       {"multiplications of Baraff's method for the pyramid of figure 5.6 with " +
            std::to_string(rows) + " rows, all boxes over the boxes that are not stable",
@@ -178,17 +176,16 @@ Result measure_excluded(const Parameters& settings) {
 
 const Registered claim_5_4b_excluded_figure{
     {.name = "claim_5_4b_excluded",
-     .parameters =
-         Parameters{}
-             .add_whole("rows", 11, 3, 21, "of the pyramid that decides; an odd number")
-             .add_whole("largest", 13, 3, 21, "rows of the largest pyramid")
-             .add_number("gap", 0.05, 0.0, 0.9, "-", "between neighbours, in edges")
-             .add_whole("shuffled_rows", 7, 3, 11, "of the one whose contacts are shuffled; odd")
-             .add_whole("knocked_rows", 5, 3, 11, "of the pyramid that is knocked; an odd number")
-             .add_number("knock", 0.2, 0.0, 2.0, "m/s",
-                         "largest component of a velocity at the start")
-             .add_whole("seeds", 20, 2, 1000, "knocks, and orders of contacts")
-             .add_whole("steps", 60, 1, 6000, "of 1/60 s"),
+     .parameters = {whole("rows", 11, 3, 21, "of the pyramid that decides; an odd number"),
+                    whole("largest", 13, 3, 21, "rows of the largest pyramid"),
+                    number("gap", 0.05, 0.0, 0.9, "-", "between neighbours, in edges"),
+                    whole("shuffled_rows", 7, 3, 11, "of the one whose contacts are shuffled; odd"),
+                    whole("knocked_rows", 5, 3, 11,
+                          "of the pyramid that is knocked; an odd number"),
+                    number("knock", 0.2, 0.0, 2.0, "m/s",
+                           "largest component of a velocity at the start"),
+                    whole("seeds", 20, 2, 1000, "knocks, and orders of contacts"),
+                    whole("steps", 60, 1, 6000, "of 1/60 s")},
      .quick = {"rows=7", "largest=7", "shuffled_rows=5", "seeds=2", "steps=20"},
      .experiment = measure_excluded}};
 

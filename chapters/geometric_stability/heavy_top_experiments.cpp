@@ -1,9 +1,7 @@
 /// \file
 /// \brief A heavy block that keeps two others from tipping: forces, thresholds, runs.
-#include "geometric_stability/heavy_top_experiments.hpp"
-
-#include "driver/experiment.hpp"
 #include "geometric_stability/balance_drawing.hpp"
+#include "geometric_stability/balance_limits.hpp"
 
 #include <cstdlib>
 
@@ -212,15 +210,14 @@ Result measure_heavy_top(const Parameters& settings) {
 
 const Registered fig6_5_heavy_top_figure{
     {.name = "fig6_5_heavy_top",
-     .parameters = Parameters{}
-                       .add_number("mass_ratio", 1.0, 1e-3, 1e3, "-", "of the top that stands")
-                       .add_number("too_light", 0.5, 1e-3, 1e3, "-", "of the top that does not")
-                       .add_number("offset", 0.2, -0.24, 0.24, "m", "of the top in both")
-                       .add_number("friction", 0.5, 0.01, 2.0, "-", "of the runs with friction")
-                       .add_number("seconds", 5.0, 0.1, 100.0, "s", "of each run")
-                       .add_number("resolution", 1e-5, 1e-9, 0.1, "-",
-                                   "of the limit of runs, as a share of it")
-                       .add_whole("steps", 12, 2, 200, "offsets from -0.24 to 0.24 m"),
+     .parameters = {number("mass_ratio", 1.0, 1e-3, 1e3, "-", "of the top that stands"),
+                    number("too_light", 0.5, 1e-3, 1e3, "-", "of the top that does not"),
+                    number("offset", 0.2, -0.24, 0.24, "m", "of the top in both"),
+                    number("friction", 0.5, 0.01, 2.0, "-", "of the runs with friction"),
+                    number("seconds", 5.0, 0.1, 100.0, "s", "of each run"),
+                    number("resolution", 1e-5, 1e-9, 0.1, "-",
+                           "of the limit of runs, as a share of it"),
+                    whole("steps", 12, 2, 200, "offsets from -0.24 to 0.24 m")},
      .quick = {"steps=2", "seconds=2", "resolution=0.01"},
      .experiment = measure_heavy_top}};
 

@@ -3,7 +3,6 @@
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/geometric_stability/tolerances.hpp"
 
-#include "driver/experiment.hpp"
 #include "geometric_stability/disputes.hpp"
 #include "geometric_stability/pile_levels.hpp"
 
@@ -128,9 +127,8 @@ Result measure_hull(const Parameters& settings) {
 
 const Registered claim_5_4c_hull_figure{
     {.name = "claim_5_4c_hull",
-     .parameters = Parameters{}
-                       .add_whole("piles", 800, 2, 100000, "random piles")
-                       .add_whole("trials", 200, 1, 100000, "bodies of each other kind"),
+     .parameters = {whole("piles", 800, 2, 100000, "random piles"),
+                    whole("trials", 200, 1, 100000, "bodies of each other kind")},
      .quick = {"piles=40", "trials=15"},
      .experiment = measure_hull}};
 

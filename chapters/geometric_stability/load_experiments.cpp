@@ -1,6 +1,5 @@
 /// \file
 /// \brief Loads on the tops of random piles.
-#include "driver/experiment.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_forces.hpp"
 #include "geometric_stability/pile_levels.hpp"
@@ -129,9 +128,8 @@ Result measure_any_load(const Parameters& settings) {
 
 const Registered claim_5_4a_any_load_figure{
     {.name = "claim_5_4a_any_load",
-     .parameters = Parameters{}
-                       .add_whole("piles", 300, 2, 100000, "random piles")
-                       .add_whole("loads", 20, 1, 10000, "loads on all tops of each pile"),
+     .parameters = {whole("piles", 300, 2, 100000, "random piles"),
+                    whole("loads", 20, 1, 10000, "loads on all tops of each pile")},
      .quick = {"piles=30", "loads=5"},
      .experiment = measure_any_load}};
 

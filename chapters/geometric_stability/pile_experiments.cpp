@@ -2,7 +2,6 @@
 /// \brief Boxes that each way calls stable, and boxes that rest.
 #include "tumble/pictures/picture.hpp"
 
-#include "driver/experiment.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_forces.hpp"
 #include "geometric_stability/pile_levels.hpp"
@@ -170,9 +169,8 @@ Result measure_confusion(const Parameters& settings) {
 
 const Registered stable_confusion_figure{
     {.name = "stable_confusion",
-     .parameters = Parameters{}
-                       .add_whole("piles", 400, 2, 100000, "random piles")
-                       .add_whole("shown", 28, 1, 100000, "the pile that is drawn"),
+     .parameters = {whole("piles", 400, 2, 100000, "random piles"),
+                    whole("shown", 28, 1, 100000, "the pile that is drawn")},
      .quick = {"piles=40"},
      .experiment = measure_confusion}};
 

@@ -44,8 +44,7 @@ class PileForces {
     residual_ = 0.0;
     for (int i = 0; i < islands_.count(); ++i) {
       island_.clear();
-      for (const int c : islands_.contacts(i))
-        island_.push_back(contacts[static_cast<std::size_t>(c)]);
+      for (const int c : islands_.contacts(i)) island_.push_back(contacts[idx(c)]);
       problem_.assemble(world, bodies_, accelerations_, island_,
                         std::numeric_limits<double>::infinity());
       solver_->solve(problem_.lcp(), result_);

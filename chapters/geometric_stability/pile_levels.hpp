@@ -55,7 +55,7 @@ inline RuleVerdict verdict_of(StableRule rule, const World& world,
   GeometricStability rules({tolerance::exact_vertical, tolerance::exact_corner});
   RuleVerdict verdict;
   rules.run(world, contacts, rule, tolerance::resting_speed, verdict.all);
-  verdict.stable = verdict.all[static_cast<std::size_t>(body)] != 0;
+  verdict.stable = verdict.all[idx(body)] != 0;
   verdict.reason = explanation(world, contacts, rules.verdict(world, body));
   return verdict;
 }
@@ -73,9 +73,8 @@ inline std::vector<char> with_towers(const World& world, std::span<const Contact
   std::vector<char> stable = firm;
   for (int b = 0; b < world.count(); ++b) {
     int under = b;
-    while (towers.supports()[static_cast<std::size_t>(under)] >= 0)
-      under = towers.supports()[static_cast<std::size_t>(under)];
-    if (firm[static_cast<std::size_t>(under)] != 0) stable[static_cast<std::size_t>(b)] = 1;
+    while (towers.supports()[idx(under)] >= 0) under = towers.supports()[idx(under)];
+    if (firm[idx(under)] != 0) stable[idx(b)] = 1;
   }
   return stable;
 }

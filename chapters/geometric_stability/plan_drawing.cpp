@@ -3,7 +3,6 @@
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/geometric_stability/tolerances.hpp"
 
-#include "driver/experiment.hpp"
 #include "geometric_stability/disputes.hpp"
 
 #include <iomanip>

@@ -99,7 +99,7 @@ inline PrismOnBlocks random_prism(int sides, Random& random) {
   const BodyProperties body = prism_properties(sides);
   const BodyId id = scene.world.add(body, Vec3(0.0, kBlock + 0.5 * kHeight, 0.0));
   for (int k = 1; k < scene.prism; ++k) {
-    const auto b = static_cast<std::size_t>(k);
+    const auto b = idx(k);
     const std::array<Vec2, 4> corners =
         lower_corners(box_of(scene.world.bodies()[b], scene.world.states()[b]));
     std::vector<Vec2> points(corners.begin(), corners.end());

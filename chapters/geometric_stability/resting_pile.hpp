@@ -29,7 +29,6 @@ inline RestingPile pile_of(World world) {
 }
 
 // A world in motion, as the technique `analytic` sees it at the start of a step.
-// dt: [s] of the step
 inline RestingPile pile_now(const World& world, double dt) {
   RestingPile pile{world, {}, {}};
   load_moving_bodies(world, pile.bodies);

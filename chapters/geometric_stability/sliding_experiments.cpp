@@ -2,7 +2,6 @@
 /// \brief Steps in which the upper box of figure 5.4 is stable, slides and is slowed down (claim 5.4d).
 #include "tumble/pictures/picture.hpp"
 
-#include "driver/experiment.hpp"
 #include "geometric_stability/sliding_run.hpp"
 
 namespace tumble::chapters {
@@ -120,8 +119,7 @@ Result measure_sliding(const Parameters& settings) {
   }
   const SlideRun& damped = runs[0];
 
-  Result result;
-  result.tables.push_back(speeds_over_time(runs));
+  Result result{.tables = {speeds_over_time(runs)}};
 
   Table speeds{"speeds",
                {{"speed_m_s", "m/s", "of the upper box at the start"},
@@ -157,13 +155,12 @@ Result measure_sliding(const Parameters& settings) {
 
 const Registered claim_5_4d_sliding_figure{
     {.name = "claim_5_4d_sliding",
-     .parameters = Parameters{}
-                       .add_number("offset", -0.4, -0.5, 0.5, "m",
-                                   "of the upper box from the middle at the start")
-                       .add_number("speed", 11.0, 1.0, 50.0, "m/s",
-                                   "of the upper box in the run that is drawn")
-                       .add_number("slowest", 5.0, 0.1, 50.0, "m/s", "of the runs that are counted")
-                       .add_whole("speeds", 10, 1, 50, "of them, 1 m/s apart"),
+     .parameters = {number("offset", -0.4, -0.5, 0.5, "m",
+                           "of the upper box from the middle at the start"),
+                    number("speed", 11.0, 1.0, 50.0, "m/s",
+                           "of the upper box in the run that is drawn"),
+                    number("slowest", 5.0, 0.1, 50.0, "m/s", "of the runs that are counted"),
+                    whole("speeds", 10, 1, 50, "of them, 1 m/s apart")},
      .quick = {"slowest=11", "speeds=3"},
      .experiment = measure_sliding}};
 

@@ -10,7 +10,7 @@
 #include "tumble/impulse_damped/tolerances.hpp"
 
 #include "driver/csv.hpp"
-#include "driver/finished.hpp"
+#include "driver/played_scene.hpp"
 
 namespace tumble::chapters {
 namespace {

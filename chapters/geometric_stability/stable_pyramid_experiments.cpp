@@ -94,10 +94,8 @@ Result measure_stable_pyramid(const Parameters& settings) {
 
 const Registered fig5_6_pyramid_figure{
     {.name = "fig5_6_pyramid",
-     .parameters =
-         Parameters{}
-             .add_whole("rows", 9, 3, 31, "boxes in the lowest row before; an odd number")
-             .add_number("gap", 0.05, 0.0, 0.9, "-", "between neighbours on the left, in edges"),
+     .parameters = {whole("rows", 9, 3, 31, "boxes in the lowest row before; an odd number"),
+                    number("gap", 0.05, 0.0, 0.9, "-", "between neighbours on the left, in edges")},
      .quick = {"rows=5"},
      .experiment = measure_stable_pyramid}};
 

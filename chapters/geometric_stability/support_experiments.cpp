@@ -5,7 +5,6 @@
 #include "tumble/geometric_stability/tolerances.hpp"
 #include "tumble/pictures/world_picture.hpp"
 
-#include "driver/experiment.hpp"
 #include "geometric_stability/pile_builder.hpp"
 #include "geometric_stability/pile_forces.hpp"
 #include "geometric_stability/pile_levels.hpp"
@@ -236,18 +235,17 @@ Result measure_one_corner(const Parameters& settings) {
 }
 
 Parameters with_load(Parameters first) {
-  return first.add_number("load", 10.0, 0.0, 1e6, "-",
-                          "on a corner of the top, over the weight of the top box");
+  return first.add(number("load", 10.0, 0.0, 1e6, "-",
+                          "on a corner of the top, over the weight of the top box"));
 }
 
 const Registered fig5_3_one_corner_figure{
     {.name = "fig5_3_one_corner",
-     .parameters =
-         with_load(
-             Parameters{}
-                 .add_number("shift", 0.6, 0.0, 0.8, "m", "of the top cube, along x and along -z")
-                 .add_number("yaw", 20.0, -45.0, 45.0, "deg", "of the top cube about the vertical"))
-             .add_whole("shifts", 81, 2, 1000, "points of the curves"),
+     .parameters = with_load(Parameters{number("shift", 0.6, 0.0, 0.8, "m",
+                                               "of the top cube, along x and along -z"),
+                                        number("yaw", 20.0, -45.0, 45.0, "deg",
+                                               "of the top cube about the vertical")})
+                       .add(whole("shifts", 81, 2, 1000, "points of the curves")),
      .quick = {"shifts=9"},
      .experiment = measure_one_corner}};
 
@@ -260,8 +258,8 @@ Result measure_all_corners(const Parameters& settings) {
 
 const Registered fig5_4_all_corners_figure{
     {.name = "fig5_4_all_corners",
-     .parameters = with_load(Parameters{}.add_number("offset", 0.2, -0.5, 0.5, "m",
-                                                     "of the top cube from the middle, along x")),
+     .parameters = with_load(Parameters{
+         number("offset", 0.2, -0.5, 0.5, "m", "of the top cube from the middle, along x")}),
      .experiment = measure_all_corners}};
 
 Result measure_two_supports(const Parameters& settings) {
@@ -274,9 +272,8 @@ Result measure_two_supports(const Parameters& settings) {
 const Registered fig5_5_two_supports_figure{
     {.name = "fig5_5_two_supports",
      .parameters = with_load(
-         Parameters{}
-             .add_number("gap", 0.4, 0.0, 0.8, "m", "between the two boxes below")
-             .add_number("yaw", 15.0, -30.0, 30.0, "deg", "of the top box about the vertical")),
+         Parameters{number("gap", 0.4, 0.0, 0.8, "m", "between the two boxes below"),
+                    number("yaw", 15.0, -30.0, 30.0, "deg", "of the top box about the vertical")}),
      .experiment = measure_two_supports}};
 
 }  // namespace

@@ -1,8 +1,6 @@
 /// \file
 /// \brief Accuracy of the limits that balance finds.
-#include "driver/experiment.hpp"
-#include "geometric_stability/heavy_top_experiments.hpp"
-#include "geometric_stability/tower_experiments.hpp"
+#include "geometric_stability/balance_limits.hpp"
 
 namespace tumble::chapters {
 
@@ -110,9 +108,8 @@ Result measure_thresholds(const Parameters& settings) {
 
 const Registered claim_6_3_1d_equilibrium_figure{
     {.name = "claim_6_3_1d_equilibrium",
-     .parameters = Parameters{}
-                       .add_whole("steps", 12, 2, 200, "offsets from -0.24 to 0.24 m")
-                       .add_whole("rows", 8, 2, 10, "of the pyramid whose work is counted"),
+     .parameters = {whole("steps", 12, 2, 200, "offsets from -0.24 to 0.24 m"),
+                    whole("rows", 8, 2, 10, "of the pyramid whose work is counted")},
      .quick = {"steps=4", "rows=4"},
      .experiment = measure_thresholds}};
 

@@ -1,11 +1,9 @@
 /// \file
 /// \brief A series of blocks as one heavier block: levels, thresholds, work.
-#include "geometric_stability/tower_experiments.hpp"
-
 #include "tumble/geometric_stability/towers.hpp"
 
-#include "driver/experiment.hpp"
 #include "geometric_stability/balance_drawing.hpp"
+#include "geometric_stability/balance_limits.hpp"
 
 namespace tumble::chapters {
 
@@ -219,12 +217,10 @@ Result measure_one_block(const Parameters& settings) {
 
 const Registered fig6_4_one_block_figure{
     {.name = "fig6_4_one_block",
-     .parameters =
-         Parameters{}
-             .add_whole("count", 5, 2, 20, "blocks of the staircase")
-             .add_number("overhang", 0.18, 0.0, 0.9, "-", "of each block, one that stands")
-             .add_number("beyond", 0.23, 0.0, 0.9, "-", "of each block, one that tips")
-             .add_whole("largest", 16, 1, 60, "blocks of the longest series"),
+     .parameters = {whole("count", 5, 2, 20, "blocks of the staircase"),
+                    number("overhang", 0.18, 0.0, 0.9, "-", "of each block, one that stands"),
+                    number("beyond", 0.23, 0.0, 0.9, "-", "of each block, one that tips"),
+                    whole("largest", 16, 1, 60, "blocks of the longest series")},
      .quick = {"largest=8"},
      .experiment = measure_one_block}};
 

@@ -3,7 +3,6 @@
 ///        5.3).
 #include "tumble/impulse_damped/tolerances.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/settled_boxes.hpp"
 
@@ -183,10 +182,9 @@ Result measure_ablation(const Parameters& settings) {
 
 const Registered claim_5_3b_ablation_figure{
     {.name = "claim_5_3b_ablation",
-     .parameters = Parameters{}
-                       .add_whole("per_edge", 3, 2, 10, "cubes along each edge of the grid")
-                       .add_number("duration", 3.0, 1.0, 60.0, "s", "of each run")
-                       .add_whole("seeds", 20, 2, 1000, "heaps"),
+     .parameters = {whole("per_edge", 3, 2, 10, "cubes along each edge of the grid"),
+                    number("duration", 3.0, 1.0, 60.0, "s", "of each run"),
+                    whole("seeds", 20, 2, 1000, "heaps")},
      .quick = {"per_edge=2", "duration=2", "seeds=3"},
      .experiment = measure_ablation}};
 
@@ -258,10 +256,9 @@ Result measure_leaning(const Parameters& settings) {
 
 const Registered claim_5_3e_leaning_figure{
     {.name = "claim_5_3e_leaning",
-     .parameters = Parameters{}
-                       .add_whole("per_edge", 3, 2, 10, "cubes along each edge of the grid")
-                       .add_number("duration", 3.0, 1.0, 60.0, "s", "of each run")
-                       .add_whole("seeds", 20, 2, 1000, "heaps, and sets of planks"),
+     .parameters = {whole("per_edge", 3, 2, 10, "cubes along each edge of the grid"),
+                    number("duration", 3.0, 1.0, 60.0, "s", "of each run"),
+                    whole("seeds", 20, 2, 1000, "heaps, and sets of planks")},
      .quick = {"per_edge=2", "duration=2", "seeds=3"},
      .experiment = measure_leaning}};
 

@@ -1,6 +1,5 @@
 /// \file
 /// \brief The time until dice rest, with randomness in some collisions (thesis 4.2).
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/settled_boxes.hpp"
 
@@ -118,9 +117,8 @@ Result measure_chance(const Parameters& settings) {
 
 const Registered claim_4_2a_chance_figure{
     {.name = "claim_4_2a_chance",
-     .parameters = Parameters{}
-                       .add_number("duration", 6.0, 1.0, 60.0, "s", "of each run")
-                       .add_whole("seeds", 40, 2, 1000, "throws"),
+     .parameters = {number("duration", 6.0, 1.0, 60.0, "s", "of each run"),
+                    whole("seeds", 40, 2, 1000, "throws")},
      .quick = {"duration=2.5", "seeds=2"},
      .experiment = measure_chance}};
 

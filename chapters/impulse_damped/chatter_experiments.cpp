@@ -75,8 +75,7 @@ class Watch {
                  contacts_);
     touching_.assign(world.bodies().size(), 0);
     for (const Contact& contact : contacts_)
-      for (const int body : {contact.first, contact.second})
-        touching_[static_cast<std::size_t>(body)] = 1;
+      for (const int body : {contact.first, contact.second}) touching_[idx(body)] = 1;
     meter_.add(world, touching_);
   }
   [[nodiscard]] Chatter measure(double gravity) const { return meter_.measure(gravity); }
@@ -176,8 +175,7 @@ void add_shares(const Stack& stack, int seeds, std::vector<Quantity>& out) {
 Result measure_oscillation(const Parameters& settings) {
   const Stack stack{settings.count("boxes"), settings.number("restitution"),
                     settings.number("aside"), settings.number("turn"), settings.number("duration")};
-  Result result;
-  result.tables.push_back(all_rules(stack, settings.count("finest"), settings.count("seeds")));
+  Result result{.tables = {all_rules(stack, settings.count("finest"), settings.count("seeds"))}};
   add_shares(stack, settings.count("many"), result.quantities);
 
   return result;
@@ -185,16 +183,15 @@ Result measure_oscillation(const Parameters& settings) {
 
 const Registered claim_3_3_2a_oscillation_figure{
     {.name = "claim_3_3_2a_oscillation",
-     .parameters =
-         Parameters{}
-             .add_whole("boxes", 5, 1, 50, "in the stack")
-             .add_number("restitution", 0.9, 0.0, 1.0, "-", "of boxes and ground: the thesis's")
-             .add_number("aside", 0.02, 0.0, 0.4, "m", "by how much a box is moved aside, at most")
-             .add_number("turn", 0.05, 0.0, 0.7, "rad", "by how much it is turned, at most")
-             .add_number("duration", 2.0, 1.0, 60.0, "s", "of each run")
-             .add_whole("finest", 480, 60, 3840, "steps a second; others are halves of it")
-             .add_whole("seeds", 2, 1, 1000, "stacks for each point that is drawn")
-             .add_whole("many", 20, 2, 1000, "stacks for the numbers"),
+     .parameters = {whole("boxes", 5, 1, 50, "in the stack"),
+                    number("restitution", 0.9, 0.0, 1.0, "-", "of boxes and ground: the thesis's"),
+                    number("aside", 0.02, 0.0, 0.4, "m",
+                           "by how much a box is moved aside, at most"),
+                    number("turn", 0.05, 0.0, 0.7, "rad", "by how much it is turned, at most"),
+                    number("duration", 2.0, 1.0, 60.0, "s", "of each run"),
+                    whole("finest", 480, 60, 3840, "steps a second; others are halves of it"),
+                    whole("seeds", 2, 1, 1000, "stacks for each point that is drawn"),
+                    whole("many", 20, 2, 1000, "stacks for the numbers")},
      .quick = {"seeds=1", "many=2", "duration=1", "finest=240"},
      .experiment = measure_oscillation}};
 

@@ -69,11 +69,9 @@ Result measure_clump_settles(const Parameters& settings) {
 
 const Registered fig6_7_clump_figure{
     {.name = "fig6_7_clump",
-     .parameters =
-         Parameters{}
-             .add_whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start")
-             .add_number("speed", 2.0, 0.0, 10.0, "m/s", "of each cube at the start")
-             .add_number("duration", 10.0, 1.0, 100.0, "s", "until they have settled"),
+     .parameters = {whole("per_edge", 5, 2, 8, "cubes along each edge of the grid at the start"),
+                    number("speed", 2.0, 0.0, 10.0, "m/s", "of each cube at the start"),
+                    number("duration", 10.0, 1.0, 100.0, "s", "until they have settled")},
      .quick = {"per_edge=2", "duration=4"},
      .experiment = measure_clump_settles}};
 

@@ -2,7 +2,6 @@
 /// \brief The energy that each stage of the damping adds at random states (thesis 5.3).
 #include "tumble/impulse_damped/dampen_objects.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/damping_heap.hpp"
 
@@ -165,12 +164,11 @@ Result measure_damping_energy(const Parameters& settings) {
 
 const Registered claim_5_3a_energy_figure{
     {.name = "claim_5_3a_energy",
-     .parameters =
-         Parameters{}
-             .add_whole("states", 5000, 10, 10000000, "random states of each seed and stage")
-             .add_whole("seeds", 20, 2, 1000, "streams of random states, and heaps")
-             .add_whole("longest", 8, 1, 100, "length of the longest brick, over its other edges")
-             .add_number("duration", 3.0, 0.1, 60.0, "s", "of the heaps"),
+     .parameters = {whole("states", 5000, 10, 10000000, "random states of each seed and stage"),
+                    whole("seeds", 20, 2, 1000, "streams of random states, and heaps"),
+                    whole("longest", 8, 1, 100,
+                          "length of the longest brick, over its other edges"),
+                    number("duration", 3.0, 0.1, 60.0, "s", "of the heaps")},
      .quick = {"states=2000", "seeds=2", "longest=4", "duration=1.5"},
      .experiment = measure_damping_energy}};
 

@@ -5,7 +5,7 @@
 #include "tumble/impulse_damped/fix_contact_constraints.hpp"
 #include "tumble/impulse_damped/pair_gatherer.hpp"
 
-#include "driver/finished.hpp"
+#include "driver/played_scene.hpp"
 #include "impulse_damped/settled_boxes.hpp"
 
 namespace tumble::chapters {

@@ -2,7 +2,6 @@
 /// \brief One impulse and the gravity around it, as printed and mended (thesis A.2; errata C1 to C11).
 #include "tumble/contact/effective_mass.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
 
 namespace tumble::chapters {

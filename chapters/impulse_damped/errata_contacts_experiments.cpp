@@ -1,11 +1,9 @@
 /// \file
 /// \brief A step and its passes over all pairs, as printed and mended (thesis 4.3, 4.4, 5.2, A.2; errata D1 to
 ///        D6, RK1 to RK4 and RC1 to RC4).
-#include "tumble/contact/gather.hpp"
 #include "tumble/contact/impacts.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
 
 namespace tumble::chapters {
@@ -262,9 +260,8 @@ Result measure_contact_errata(const Parameters& settings) {
 
 const Registered errata_contacts_figure{
     {.name = "errata_contacts",
-     .parameters =
-         Parameters{}.add_number("seconds", 5.0, 0.1, 600.0, "s",
-                                 "for which the stack of RK4 is watched, after as long to settle"),
+     .parameters = {number("seconds", 5.0, 0.1, 600.0, "s",
+                           "for which the stack of RK4 is watched, after as long to settle")},
      .quick = {"seconds=1"},
      .experiment = measure_contact_errata}};
 

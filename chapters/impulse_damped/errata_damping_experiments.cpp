@@ -3,7 +3,6 @@
 ///        DM16).
 #include "tumble/impulse_damped/tolerances.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
 
 namespace tumble::chapters {
@@ -245,13 +244,12 @@ Result measure_damping_errata(const Parameters& settings) {
 
 const Registered errata_damping_figure{
     {.name = "errata_damping",
-     .parameters =
-         Parameters{}
-             .add_number("k1", tolerance::damped_momentum_factor, 0.0, 1.0, "-",
-                         "what a step in contact leaves of momentum")
-             .add_number("eps10", 5e-3, 1e-9, 1.0, "m", "a move in a step that is undone")
-             .add_whole("cap", 100000, 100, 10000000, "pushes after which an endless loop is left")
-             .add_number("duration", 10.0, 0.1, 600.0, "s", "of the stack's rest"),
+     .parameters = {number("k1", tolerance::damped_momentum_factor, 0.0, 1.0, "-",
+                           "what a step in contact leaves of momentum"),
+                    number("eps10", 5e-3, 1e-9, 1.0, "m", "a move in a step that is undone"),
+                    whole("cap", 100000, 100, 10000000,
+                          "pushes after which an endless loop is left"),
+                    number("duration", 10.0, 0.1, 600.0, "s", "of the stack's rest")},
      .quick = {"cap=1000", "duration=1"},
      .experiment = measure_damping_errata}};
 

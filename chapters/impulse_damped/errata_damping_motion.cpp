@@ -1,7 +1,6 @@
 /// \file
 /// \brief The errata of DAMPENOBJECTS that show in motion (thesis 5.3, A.2; DM6, DM7, DM10 to DM12,
 ///        DM14).
-#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
 
 namespace tumble::chapters {

@@ -6,7 +6,6 @@
 #include "tumble/impulse_damped/as_printed/fix_contact_constraints_as_printed.hpp"
 #include "tumble/impulse_damped/damped.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
 
 namespace tumble::chapters {

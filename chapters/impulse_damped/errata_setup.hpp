@@ -60,9 +60,6 @@ inline void add_paths(Result& result, const std::string& suffix, const std::vect
 
 // Adds a box of 1 kg without friction.
 // size: [m] full edges
-// position_w: [m] its centre
-// velocity_w: [m/s]
-// restitution: [-]
 inline int add_box(World& world, const Vec3& size, const Vec3& position_w,
                    const Vec3& velocity_w = Vec3::Zero(), double restitution = 0.0) {
   world.add(box_properties(size, 1.0, 0.0, restitution), position_w, Quat::Identity(), velocity_w);
@@ -71,7 +68,6 @@ inline int add_box(World& world, const Vec3& size, const Vec3& position_w,
 
 // Adds a box that cannot move.
 // size: [m] full edges
-// position_w: [m] its centre
 inline void add_fixed_box(World& world, const Vec3& size, const Vec3& position_w,
                           const Quat& orientation_wb = Quat::Identity()) {
   world.add(fixed_box_properties(size), position_w, orientation_wb);
@@ -91,7 +87,6 @@ inline void add_fixed_box(World& world, const Vec3& size, const Vec3& position_w
 }
 
 // A world after some steps.
-// dt: [s] of a step
 [[nodiscard]] inline World stepped(World world, Technique&& technique, int steps = 1,
                                    double dt = kStep) {
   for (int step = 0; step < steps; ++step) finished(technique.step(world, dt));
@@ -144,7 +139,6 @@ inline void add_fixed_box(World& world, const Vec3& size, const Vec3& position_w
 }
 
 // DAMPENOBJECTS on all bodies.
-// dt: [s] the step
 inline DampenReport dampen(World& world, bool touched, const PrintedNumbers& numbers,
                            const DampedErrata& mended = DampedErrata::all(), double dt = kStep) {
   const std::vector<std::uint8_t> flags(world.states().size(), touched ? 1 : 0);

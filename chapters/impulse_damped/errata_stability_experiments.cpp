@@ -2,7 +2,6 @@
 /// \brief The errata of SETGEOMETRICALLYSTABLE (thesis 5.4, A.2; G2 to G8).
 #include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/errata_setup.hpp"
 
 namespace tumble::chapters {

@@ -1,6 +1,5 @@
 /// \file
 /// \brief The work of a step of the clump and of the pyramid (thesis 6.1).
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 
 namespace tumble::chapters {
@@ -65,11 +64,9 @@ Result measure_frame_work(const Parameters& settings) {
 
 const Registered claim_6_1a_frame_rate_figure{
     {.name = "claim_6_1a_frame_rate",
-     .parameters =
-         Parameters{}
-             .add_whole("per_edge", 5, 2, 10, "cubes along each edge of the largest clump")
-             .add_whole("rows", 10, 4, 30, "of the largest pyramid")
-             .add_number("duration", 10.0, 0.1, 100.0, "s", "of each run"),
+     .parameters = {whole("per_edge", 5, 2, 10, "cubes along each edge of the largest clump"),
+                    whole("rows", 10, 4, 30, "of the largest pyramid"),
+                    number("duration", 10.0, 0.1, 100.0, "s", "of each run")},
      .quick = {"per_edge=2", "rows=4", "duration=2"},
      .experiment = measure_frame_work}};
 

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Two blocks, and a stack on a sled: damped and with Coulomb's friction (thesis 5.3).
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 
 namespace tumble::chapters {
@@ -139,14 +138,12 @@ Result measure_sliding_blocks(const Parameters& settings) {
 
 const Registered fig5_2_friction_figure{
     {.name = "fig5_2_friction",
-     .parameters =
-         Parameters{}
-             .add_number("speed", 2.0, 0.1, 3.0, "m/s", "of A at the start")
-             .add_number("mass", 1.0, 1e-3, 1e3, "kg", "of A")
-             .add_number("lower_mass", 2.0, 1e-3, 1e3, "kg", "of B")
-             .add_number("friction", 0.5, 0.01, 10.0, "-", "Coulomb's coefficient of A and B")
-             .add_number("ground_friction", 0.0, 0.0, 10.0, "-", "of the ground")
-             .add_number("duration", 1.0, 0.1, 10.0, "s", "of the run"),
+     .parameters = {number("speed", 2.0, 0.1, 3.0, "m/s", "of A at the start"),
+                    number("mass", 1.0, 1e-3, 1e3, "kg", "of A"),
+                    number("lower_mass", 2.0, 1e-3, 1e3, "kg", "of B"),
+                    number("friction", 0.5, 0.01, 10.0, "-", "Coulomb's coefficient of A and B"),
+                    number("ground_friction", 0.0, 0.0, 10.0, "-", "of the ground"),
+                    number("duration", 1.0, 0.1, 10.0, "s", "of the run")},
      .experiment = measure_sliding_blocks}};
 
 Result measure_friction_on_upper(const Parameters& settings) {
@@ -230,10 +227,9 @@ Result measure_friction_on_upper(const Parameters& settings) {
 
 const Registered claim_5_3c_friction_figure{
     {.name = "claim_5_3c_friction",
-     .parameters = Parameters{}
-                       .add_number("speed", 2.0, 0.1, 3.0, "m/s", "of the upper block at the start")
-                       .add_number("duration", 2.0, 0.1, 10.0, "s", "of the runs")
-                       .add_whole("steps", 40, 2, 400, "coefficients of friction from 0 to 1"),
+     .parameters = {number("speed", 2.0, 0.1, 3.0, "m/s", "of the upper block at the start"),
+                    number("duration", 2.0, 0.1, 10.0, "s", "of the runs"),
+                    whole("steps", 40, 2, 400, "coefficients of friction from 0 to 1")},
      .quick = {"steps=10"},
      .experiment = measure_friction_on_upper}};
 
@@ -288,9 +284,8 @@ Result measure_friction_chain(const Parameters& settings) {
 
 const Registered claim_5_3f_chain_figure{
     {.name = "claim_5_3f_chain",
-     .parameters = Parameters{}
-                       .add_number("speed", 1.0, 0.1, 10.0, "m/s", "of the sled at the start")
-                       .add_number("duration", 1.0, 0.1, 10.0, "s", "of the runs"),
+     .parameters = {number("speed", 1.0, 0.1, 10.0, "m/s", "of the sled at the start"),
+                    number("duration", 1.0, 0.1, 10.0, "s", "of the runs")},
      .experiment = measure_friction_chain}};
 
 }  // namespace

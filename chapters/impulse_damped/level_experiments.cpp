@@ -111,10 +111,8 @@ Result measure_levels(const Parameters& settings) {
 
 const Registered impulse_levels_figure{
     {.name = "impulse_levels",
-     .parameters =
-         Parameters{}
-             .add_whole("rows", 10, 4, 30, "of the highest pyramid; 4, 7, 10 and so on are run")
-             .add_number("duration", 1.0, 0.1, 100.0, "s", "of each run"),
+     .parameters = {whole("rows", 10, 4, 30, "of the highest pyramid; 4, 7, 10 and so on are run"),
+                    number("duration", 1.0, 0.1, 100.0, "s", "of each run")},
      .quick = {"rows=7", "duration=0.3"},
      .experiment = measure_levels}};
 

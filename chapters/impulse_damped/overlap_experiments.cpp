@@ -15,7 +15,7 @@ double total_depth(const World& world, std::span<const BodyState> poses, PairGat
   for (const Contact& contact : contacts) {
     double deepest = 0.0;
     for (int k = 0; k < contact.count; ++k)
-      deepest = std::max(deepest, -contact.points[static_cast<std::size_t>(k)].distance);
+      deepest = std::max(deepest, -contact.points[idx(k)].distance);
     sum += deepest;
   }
   return sum;
@@ -138,8 +138,8 @@ Result measure_overlap_left(const Parameters& settings) {
     Overlap sum;
     Overlap loose_sum;
     for (int seed = 0; seed < seeds; ++seed) {
-      const Overlap& one = heaps[static_cast<std::size_t>(seed)][k];
-      const Overlap& other = loose_heaps[static_cast<std::size_t>(seed)][k];
+      const Overlap& one = heaps[idx(seed)][k];
+      const Overlap& other = loose_heaps[idx(seed)][k];
       sum = {sum.free + one.free, sum.found + one.found, sum.left + one.left};
       loose_sum.found += other.found;
     }
@@ -176,12 +176,10 @@ Result measure_overlap_left(const Parameters& settings) {
 
 const Registered claim_4_4b_overlap_left_figure{
     {.name = "claim_4_4b_overlap_left",
-     .parameters =
-         Parameters{}
-             .add_whole("per_edge", 3, 1, 20, "cubes along each edge of the heap's grid")
-             .add_number("restitution", 0.9, 0.0, 1.0, "-", "of cubes and ground: the thesis's")
-             .add_number("duration", 5.0, 0.2, 600.0, "s", "of each run")
-             .add_whole("seeds", 20, 2, 1000, "heaps"),
+     .parameters = {whole("per_edge", 3, 1, 20, "cubes along each edge of the heap's grid"),
+                    number("restitution", 0.9, 0.0, 1.0, "-", "of cubes and ground: the thesis's"),
+                    number("duration", 5.0, 0.2, 600.0, "s", "of each run"),
+                    whole("seeds", 20, 2, 1000, "heaps")},
      .quick = {"seeds=2", "duration=2"},
      .experiment = measure_overlap_left}};
 

@@ -4,7 +4,6 @@
 #include "tumble/pictures/world_picture.hpp"
 #include "tumble/record/metrics.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 
 namespace tumble::chapters {
@@ -108,18 +107,17 @@ Result measure_projectile(const Parameters& settings) {
 
 // Of both figures.
 Parameters shot_parameters() {
-  return Parameters{}
-      .add_whole("rows", 10, 2, 30, "of the pyramid")
-      .add_number("height", 3.5, 0.5, 30.0, "m", "of the projectile's centre")
-      .add_number("speed", 20.0, 0.1, 100.0, "m/s", "of the projectile")
-      .add_number("mass", 5.0, 1e-3, 1e3, "kg", "of the projectile; a box has 1 kg")
-      .add_number("appears", 5.0, 1.0, 100.0, "s", "for how long the pyramid stands before");
+  return {whole("rows", 10, 2, 30, "of the pyramid"),
+          number("height", 3.5, 0.5, 30.0, "m", "of the projectile's centre"),
+          number("speed", 20.0, 0.1, 100.0, "m/s", "of the projectile"),
+          number("mass", 5.0, 1e-3, 1e3, "kg", "of the projectile; a box has 1 kg"),
+          number("appears", 5.0, 1.0, 100.0, "s", "for how long the pyramid stands before")};
 }
 
 Parameters projectile_parameters() {
   Parameters parameters = shot_parameters();
   for (std::size_t k = 0; k < kFrames.size(); ++k)
-    parameters.add_number(frame_key(k), kFrames[k], 0.0, 60.0, "s", "of a frame, since the shot");
+    parameters.add(number(frame_key(k), kFrames[k], 0.0, 60.0, "s", "of a frame, since the shot"));
   return parameters;
 }
 
@@ -181,7 +179,7 @@ Result measure_projectile_curves(const Parameters& settings) {
 
 const Registered fig6_6_projectile_curves_figure{
     {.name = "fig6_6_projectile_curves",
-     .parameters = shot_parameters().add_number("duration", 5.0, 1.0, 60.0, "s", "after the shot"),
+     .parameters = shot_parameters().add(number("duration", 5.0, 1.0, 60.0, "s", "after the shot")),
      .quick = {"rows=4", "height=1.5", "appears=1", "duration=2"},
      .experiment = measure_projectile_curves}};
 

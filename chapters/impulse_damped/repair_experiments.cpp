@@ -171,13 +171,11 @@ Result measure_push_energy(const Parameters& settings) {
 const Registered claim_4_4a_push_energy_figure{
     {.name = "claim_4_4a_push_energy",
      .parameters =
-         Parameters{}
-             .add_whole("boxes", 5, 1, 50, "in the stack")
-             .add_number("restitution", 0.9, 0.0, 1.0, "-", "of boxes and ground: the thesis's")
-             .add_number(
-                 "depth", 9.81 / 3600, 1e-6, 0.5, "m",
-                 "largest overlap of two cubes; the default is what gravity moves in a step, g h²")
-             .add_whole("seeds", 20, 2, 1000, "stacks"),
+         {whole("boxes", 5, 1, 50, "in the stack"),
+          number("restitution", 0.9, 0.0, 1.0, "-", "of boxes and ground: the thesis's"),
+          number("depth", 9.81 / 3600, 1e-6, 0.5, "m",
+                 "largest overlap of two cubes; the default is what gravity moves in a step, g h²"),
+          whole("seeds", 20, 2, 1000, "stacks")},
      .quick = {"seeds=3"},
      .experiment = measure_push_energy}};
 

@@ -3,7 +3,6 @@
 #include "tumble/impulse_damped/damped_numbers.hpp"
 #include "tumble/record/metrics.hpp"
 
-#include "driver/experiment.hpp"
 #include "impulse_damped/chatter_colours.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/settled_boxes.hpp"
@@ -165,7 +164,7 @@ Result measure_reported(const Parameters& settings) {
   Known known;
   for (std::size_t a = 0; a < arms().size(); ++a) {
     const Arm& arm = arms()[a];
-    std::vector<double> hold(static_cast<std::size_t>(seeds), 0.0);
+    std::vector<double> hold(idx(seeds), 0.0);
     std::array<double, 4> shares{};
     for (const double figure : {6.6, 6.7}) {
       const bool shot = figure < 6.65;
@@ -211,11 +210,10 @@ Result measure_reported(const Parameters& settings) {
 
 const Registered as_reported_figure{
     {.name = "as_reported_6_1",
-     .parameters =
-         Parameters{}
-             .add_whole("seeds", 20, 2, 100, "from 201 on")
-             .add_whole("range_seeds", 1, 0, 100, "of each pair of constants; 0: no pair is tried")
-             .add_number("duration", 10.0, 2.0, 100.0, "s", "of each run"),
+     .parameters = {whole("seeds", 20, 2, 100, "from 201 on"),
+                    whole("range_seeds", 1, 0, 100,
+                          "of each pair of constants; 0: no pair is tried"),
+                    number("duration", 10.0, 2.0, 100.0, "s", "of each run")},
      .quick = {"seeds=2", "range_seeds=0", "duration=7"},
      .experiment = measure_reported}};
 

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Travel and resting poses of boxes, damped and with Coulomb's friction (thesis 5.3).
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 
 namespace tumble::chapters {
@@ -139,11 +138,10 @@ Result measure_what_is_seen(const Parameters& settings) {
 
 const Registered claim_5_3g_seen_figure{
     {.name = "claim_5_3g_seen",
-     .parameters = Parameters{}
-                       .add_whole("seeds", 24, 2, 1000, "runs of each scene")
-                       .add_whole("rows", 5, 2, 20, "of the pyramid")
-                       .add_whole("per_edge", 3, 2, 6, "cubes along each edge of the clump's grid")
-                       .add_number("duration", 5.0, 1.0, 60.0, "s", "of a run"),
+     .parameters = {whole("seeds", 24, 2, 1000, "runs of each scene"),
+                    whole("rows", 5, 2, 20, "of the pyramid"),
+                    whole("per_edge", 3, 2, 6, "cubes along each edge of the clump's grid"),
+                    number("duration", 5.0, 1.0, 60.0, "s", "of a run")},
      .quick = {"seeds=4", "duration=3", "rows=3", "per_edge=2"},
      .experiment = measure_what_is_seen}};
 

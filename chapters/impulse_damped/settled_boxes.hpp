@@ -37,7 +37,7 @@ inline void mark(const World& world, const Contact& contact, std::vector<char>& 
   const auto second = static_cast<std::size_t>(contact.second);
   double distance = std::numeric_limits<double>::infinity();
   for (int p = 0; p < contact.count; ++p)
-    distance = std::min(distance, contact.points[static_cast<std::size_t>(p)].distance);
+    distance = std::min(distance, contact.points[idx(p)].distance);
   if (!(distance <= touching_distance(world.bodies()[first], world.bodies()[second]))) return;
   touches[first] = 1;
   touches[second] = 1;

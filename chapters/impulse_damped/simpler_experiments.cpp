@@ -163,10 +163,9 @@ Result measure_simpler(const Parameters& settings) {
 
 const Registered claim_3_3_2c_simpler_figure{
     {.name = "claim_3_3_2c_simpler",
-     .parameters = Parameters{}
-                       .add_whole("piles", 20, 1, 1000, "random piles, from seed 201 on")
-                       .add_whole("cubes", 8, 1, 100, "of a pile")
-                       .add_number("duration", 2.0, 0.1, 100.0, "s", "of each run"),
+     .parameters = {whole("piles", 20, 1, 1000, "random piles, from seed 201 on"),
+                    whole("cubes", 8, 1, 100, "of a pile"),
+                    number("duration", 2.0, 0.1, 100.0, "s", "of each run")},
      .quick = {"piles=2", "cubes=2", "duration=1"},
      .experiment = measure_simpler}};
 

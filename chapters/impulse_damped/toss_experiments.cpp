@@ -1,6 +1,5 @@
 /// \file
 /// \brief Tossed cubes with and without chance, against measured ones (thesis 2.4.2, 4.2).
-#include "driver/experiment.hpp"
 #include "impulse_damped/damped_variants.hpp"
 #include "impulse_damped/tosses.hpp"
 
@@ -169,9 +168,8 @@ Result measure_tosses(const Parameters& settings) {
 
 const Registered claim_2_4_2a_tosses_figure{
     {.name = "claim_2_4_2a_tosses",
-     .parameters = Parameters{}
-                       .add_whole("tosses", 40, 2, 10000, "for each seed")
-                       .add_whole("seeds", 20, 2, 1000, "groups of tosses"),
+     .parameters = {whole("tosses", 40, 2, 10000, "for each seed"),
+                    whole("seeds", 20, 2, 1000, "groups of tosses")},
      .quick = {"tosses=4", "seeds=3"},
      .experiment = measure_tosses}};
 

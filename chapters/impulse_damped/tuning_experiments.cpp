@@ -210,7 +210,7 @@ Result measure_tuning(const Parameters& settings) {
 
 const Registered claim_2_5_2b_tuning_figure{
     {.name = "claim_2_5_2b_tuning",
-     .parameters = Parameters{}.add_number("duration", 3.0, 0.1, 100.0, "s", "of each run"),
+     .parameters = {number("duration", 3.0, 0.1, 100.0, "s", "of each run")},
      .quick = {"duration=1"},
      .experiment = measure_tuning}};
 

@@ -184,9 +184,8 @@ Result measure_friction_cost(const Parameters& settings) {
 
 const Registered claim_5_3d_friction_cost_figure{
     {.name = "claim_5_3d_friction_cost",
-     .parameters = Parameters{}
-                       .add_number("friction", 0.5, 0.01, 2.0, "-", "coefficient")
-                       .add_whole("seeds", 20, 2, 100, "random velocities"),
+     .parameters = {number("friction", 0.5, 0.01, 2.0, "-", "coefficient"),
+                    whole("seeds", 20, 2, 100, "random velocities")},
      .quick = {"seeds=2"},
      .experiment = measure_friction_cost}};
 

@@ -75,7 +75,7 @@ Result measure_least_constraint(const Parameters& settings) {
       row.push_back(sum_without(one.forces[i], -1) / seeds);
       row.push_back(sum_without(one.least_constraint[i], -1) / seeds);
     }
-    table.add(static_cast<std::size_t>(fewest) + i, row);
+    table.add(idx(fewest) + i, row);
   }
 
   const auto crossing = [&](std::size_t k, const char* name) {
@@ -91,10 +91,8 @@ Result measure_least_constraint(const Parameters& settings) {
 
 const Registered claim_2_6_2a_least_constraint_figure{
     {.name = "claim_2_6_2a_least_constraint",
-     .parameters =
-         Parameters{}
-             .add_whole("most", 24, 8, 64, "contacts on a box with the one before, at most")
-             .add_whole("seeds", 20, 2, 1000, "random chains for each number of contacts"),
+     .parameters = {whole("most", 24, 8, 64, "contacts on a box with the one before, at most"),
+                    whole("seeds", 20, 2, 1000, "random chains for each number of contacts")},
      .quick = {"most=16", "seeds=3"},
      .experiment = measure_least_constraint}};
 

@@ -10,7 +10,7 @@ namespace {
 // What a cell of the picture shows.
 double state_of(const TracedStep& step, int contact) {
   if (step.driven == contact) return 1.0;
-  switch (step.during[static_cast<std::size_t>(contact)]) {
+  switch (step.during[idx(contact)]) {
     case BaraffSet::C: return 2.0;
     case BaraffSet::NC: return 3.0;
     default: return 0.0;
@@ -44,7 +44,7 @@ Table path_table(const LcpProblem& problem, const std::vector<TracedStep>& steps
   for (int i = 0; i < n; ++i)
     table.columns.push_back(
         {"a" + std::to_string(i + 1) + "_m_s2", "m/s²", "acceleration apart at this contact"});
-  table.add(0, std::vector<double>(static_cast<std::size_t>(n), 0.0), problem.b);
+  table.add(0, std::vector<double>(idx(n), 0.0), problem.b);
   for (const TracedStep& step : steps) table.add(table.rows.size(), step.f, step.a);
   return table;
 }
@@ -102,9 +102,8 @@ Result measure_index_sets(const Parameters& settings) {
 
 const Registered index_sets_figure{
     {.name = "index_sets",
-     .parameters = Parameters{}
-                       .add_number("centre", 1.625, 0.5, 2.2, "m", "middle of the upper plank")
-                       .add_number("post", 1.5, 1.05, 2.5, "m", "place of the third post"),
+     .parameters = {number("centre", 1.625, 0.5, 2.2, "m", "middle of the upper plank"),
+                    number("post", 1.5, 1.05, 2.5, "m", "place of the third post")},
      .experiment = measure_index_sets}};
 
 }  // namespace

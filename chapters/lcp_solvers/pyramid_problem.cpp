@@ -6,7 +6,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/random.hpp"
 
-#include "driver/common_numbers.hpp"
+#include "driver/played_scene.hpp"
 
 #include <algorithm>
 #include <string>
@@ -16,8 +16,7 @@ namespace {
 
 using Row = LcpFactors::Row;
 
-constexpr double spacing = 1.05;          // [m]
-constexpr double time_step = 1.0 / 60.0;  // [s]
+constexpr double spacing = 1.05;  // [m]
 
 // Where the cubes of a row of the pyramid begin: rows have k, k - 1, ... cubes.
 int first_of_row(int k, int row) { return row * k - row * (row - 1) / 2; }
@@ -54,7 +53,7 @@ void add_face_pair(LcpProblem& problem, int k, int below, int cube) {
 // b = J (v + g dt)
 void set_b(PyramidProblem& pyramid) {
   LcpProblem& problem = pyramid.problem;
-  const Vec3 fall(0.0, -kGravity * time_step, 0.0);
+  const Vec3 fall(0.0, -kGravity * kStep, 0.0);
   problem.b.setZero(static_cast<Eigen::Index>(problem.factors.rows.size()));
   for (int i = 0; i < problem.size(); ++i) {
     const Row& row = problem.factors.rows[idx(i)];
@@ -106,7 +105,7 @@ PyramidProblem next_step(const PyramidProblem& before, std::span<const double> f
   PyramidProblem pyramid = before;
   const LcpFactors& factors = before.problem.factors;
   require::that(f.size() == factors.rows.size(), "f: give a force for each contact");
-  for (Vec3& v : pyramid.linear_w) v.y() -= kGravity * time_step;
+  for (Vec3& v : pyramid.linear_w) v.y() -= kGravity * kStep;
   for (std::size_t i = 0; i < f.size(); ++i) {
     const Row& row = factors.rows[i];
     const auto push = [&](int body, const Vec3& linear, const Vec3& angular) {

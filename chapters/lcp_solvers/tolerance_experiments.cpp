@@ -100,7 +100,7 @@ struct Corners {
 class Rest {
  public:
   Rest(LcpSolver& solver, int cubes, double weight)
-      : solver_(solver), weight_(weight), loads_(static_cast<std::size_t>(cubes)) {
+      : solver_(solver), weight_(weight), loads_(idx(cubes)) {
     problem_.factors = stack_on_corners(cubes);
     multiply_out(problem_.factors, problem_.A);
     left.gap.assign(idx(4 * cubes), 0.0);
@@ -185,8 +185,7 @@ Result measure_tolerance(const Parameters& settings) {
 
 const Registered claim_3_3_1a_tolerance_figure{
     {.name = "claim_3_3_1a_tolerance",
-     .parameters =
-         Parameters{}.add_whole("problems", 2000, 100, 100000, "random problems of each kind"),
+     .parameters = {whole("problems", 2000, 100, 100000, "random problems of each kind")},
      .quick = {"problems=300"},
      .experiment = measure_tolerance}};
 
@@ -258,11 +257,10 @@ Result measure_negative_forces(const Parameters& settings) {
 
 const Registered claim_3_3_1b_negative_forces_figure{
     {.name = "claim_3_3_1b_negative_forces",
-     .parameters = Parameters{}
-                       .add_number("duration", 600.0, 10.0, 36000.0, "s", "length of the runs")
-                       .add_whole("cubes", 3, 1, 20, "in the stack")
-                       .add_number("others", 600.0, 1.0, 36000.0, "s",
-                                   "length of the runs of stacks of 2, 4, 5 and 6 cubes"),
+     .parameters = {number("duration", 600.0, 10.0, 36000.0, "s", "length of the runs"),
+                    whole("cubes", 3, 1, 20, "in the stack"),
+                    number("others", 600.0, 1.0, 36000.0, "s",
+                           "length of the runs of stacks of 2, 4, 5 and 6 cubes")},
      .quick = {"duration=60", "others=5"},
      .experiment = measure_negative_forces}};
 

@@ -93,8 +93,7 @@ Result measure_articulated(const Parameters& settings) {
       memory = std::max(memory, exponent(low.memory, high.memory, 10.0));
     }
   }
-  Result result;
-  result.tables.push_back(table);
+  Result result{.tables = {table}};
   result.add(
       "the largest exponent of multiplications against links, of chains and trees from 1000 to "
       "100 000 links",
@@ -108,7 +107,7 @@ Result measure_articulated(const Parameters& settings) {
 
 const Registered articulated_figure{
     {.name = "claim_2_6_5a_articulated",
-     .parameters = Parameters{}.add_whole("links", 100000, 100, 1000000, "of the longest chain"),
+     .parameters = {whole("links", 100000, 100, 1000000, "of the longest chain")},
      .quick = {"links=1000"},
      .experiment = measure_articulated}};
 

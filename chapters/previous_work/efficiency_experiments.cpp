@@ -19,8 +19,7 @@ constexpr std::uint64_t kChance = 102;
 
 // A brick that is thrown.
 Scene brick() {
-  Scene scene;
-  scene.ground = SceneGround{.friction = 0.4, .restitution = 0.3};
+  Scene scene{.ground = SceneGround{.friction = 0.4, .restitution = 0.3}};
   scene.boxes.push_back({.name = "brick",
                          .size = {0.2, 0.06, 0.1},
                          .mass = 2.0,
@@ -131,8 +130,7 @@ Result measure_efficiency(const Parameters& settings) {
     chance_sum += chance;
     chain_sum += tried;
   }
-  Result result;
-  result.tables.push_back(table);
+  Result result{.tables = {table}};
   const Quantity mean = mean_over_seeds("", "-", decades);
   result.add(
       "motions that independent noise tries until a wish is met, over those that chains try, "
@@ -147,10 +145,9 @@ Result measure_efficiency(const Parameters& settings) {
 
 const Registered efficiency_figure{
     {.name = "claim_2_4_2b_efficiency",
-     .parameters = Parameters{}
-                       .add_whole("wishes", 20, 2, 1000, "places and faces")
-                       .add_whole("each", 8, 1, 100, "chains, and streams of independent noise")
-                       .add_whole("most", 1000, 1, 100000, "motions that each of them tries"),
+     .parameters = {whole("wishes", 20, 2, 1000, "places and faces"),
+                    whole("each", 8, 1, 100, "chains, and streams of independent noise"),
+                    whole("most", 1000, 1, 100000, "motions that each of them tries")},
      .quick = {"wishes=2", "each=1", "most=30"},
      .experiment = measure_efficiency}};
 

@@ -132,10 +132,8 @@ Result measure_faure(const Parameters& settings) {
 
 const Registered faure_figure{
     {.name = "claim_2_6_4a_faure",
-     .parameters =
-         Parameters{}
-             .add_number("noise", 0.1, 1e-6, 10.0, "m/s", "velocities of the cubes in motion")
-             .add_whole("largest", 144, 36, 144, "contacts of the largest pyramid"),
+     .parameters = {number("noise", 0.1, 1e-6, 10.0, "m/s", "velocities of the cubes in motion"),
+                    whole("largest", 144, 36, 144, "contacts of the largest pyramid")},
      .quick = {"largest=64"},
      .experiment = measure_faure}};
 

@@ -1,13 +1,9 @@
 /// \file
 /// \brief Joints of scenes: a crane swings a box into a wall; periods and energies of pendulums (thesis 2.6.5).
-#include "tumble/dynamics/energy.hpp"
 #include "tumble/exterior_rotation/joint.hpp"
 #include "tumble/pictures/world_picture.hpp"
 
 #include "driver/experiment.hpp"
-#include "driver/played_scene.hpp"
-
-#include <numbers>
 
 namespace tumble::chapters {
 namespace {
@@ -107,11 +103,11 @@ Result measure_crane(const Parameters& settings) {
   return result;
 }
 
-const Registered crane_figure{{.name = "joint_crane",
-                               .parameters = Parameters{}.add_number(
-                                   "interval", 0.7, 0.1, 10.0, "s", "from picture to picture"),
-                               .quick = {"interval=0.3"},
-                               .experiment = measure_crane}};
+const Registered crane_figure{
+    {.name = "joint_crane",
+     .parameters = {number("interval", 0.7, 0.1, 10.0, "s", "from picture to picture")},
+     .quick = {"interval=0.3"},
+     .experiment = measure_crane}};
 
 }  // namespace
 }  // namespace tumble::chapters

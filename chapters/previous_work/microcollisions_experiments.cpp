@@ -1,7 +1,6 @@
 /// \file
 /// \brief Stacks under microcollisions: how many impacts carry them (thesis 2.5.2, a second measurement).
 #include "driver/experiment.hpp"
-#include "driver/played_scene.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -15,8 +14,7 @@ constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 
 // Cubes of 1 m and 1 kg on one another, or beside one another on the ground.
 Scene cubes(int count, bool beside, Random random) {
-  Scene scene;
-  scene.ground.emplace();
+  Scene scene{.ground = SceneGround{}};
   scene.ground->friction = kFriction;
   double height = 0.0;
   for (int k = 0; k < count; ++k) {
@@ -75,11 +73,10 @@ Result measure_stack_microcollisions(const Parameters& settings) {
 
 const Registered microcollisions_figure{
     {.name = "claim_2_5_2a_microcollisions",
-     .parameters =
-         Parameters{}
-             .add_whole("most", 6, 4, 6, "cubes in the highest stack")
-             .add_whole("seeds", 20, 2, 1000, "runs for each height, with random gaps and offsets")
-             .add_number("duration", 1.0, 0.1, 60.0, "s", "in which impacts are counted"),
+     .parameters = {whole("most", 6, 4, 6, "cubes in the highest stack"),
+                    whole("seeds", 20, 2, 1000,
+                          "runs for each height, with random gaps and offsets"),
+                    number("duration", 1.0, 0.1, 60.0, "s", "in which impacts are counted")},
      .quick = {"most=4", "seeds=2", "duration=0.1"},
      .experiment = measure_stack_microcollisions}};
 

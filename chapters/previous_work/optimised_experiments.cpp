@@ -128,8 +128,7 @@ Result measure_steps(const Parameters& settings) {
     break;
   }
   if (ratio == 0.0) ran(1, kSmallest);
-  Result result;
-  result.tables.push_back(table);
+  Result result{.tables = {table}};
   result.add(
       "the smaller of two ratios: the largest such step over 1/15 s, and multiplications of the "
       "quadratic programs over those of the complementarity problem",
@@ -156,8 +155,7 @@ Result measure_touches(const Parameters& settings) {
     optimised += here / seeds;
     stepping += there / seeds;
   }
-  Result result;
-  result.tables.push_back(table);
+  Result result{.tables = {table}};
   result.add(
       "points at which a body of a heap of 27 cubes touches others after a step of optimisation "
       "based animation, over the same under time stepping",
@@ -169,20 +167,18 @@ Result measure_touches(const Parameters& settings) {
 
 const Registered optimised_figure{
     {.name = "claim_2_7_2a_optimised",
-     .parameters =
-         Parameters{}
-             .add_number("duration", 4.0, 0.5, 100.0, "s", "of each run")
-             .add_whole("rows", 10, 1, 100, "rows of the pyramid of figure 6.6")
-             .add_whole("per_edge", 5, 1, 20, "cubes along each edge of the clump of figure 6.7"),
+     .parameters = {number("duration", 4.0, 0.5, 100.0, "s", "of each run"),
+                    whole("rows", 10, 1, 100, "rows of the pyramid of figure 6.6"),
+                    whole("per_edge", 5, 1, 20,
+                          "cubes along each edge of the clump of figure 6.7")},
      .quick = {"duration=1.5", "rows=4", "per_edge=2"},
      .experiment = measure_steps}};
 
 const Registered touches_figure{
     {.name = "claim_2_7_2b_touches",
-     .parameters = Parameters{}
-                       .add_whole("seeds", 5, 1, 1000, "heaps")
-                       .add_whole("per_edge", 3, 1, 20, "cubes along each edge of a heap's grid")
-                       .add_number("duration", 3.0, 0.1, 100.0, "s", "of each heap"),
+     .parameters = {whole("seeds", 5, 1, 1000, "heaps"),
+                    whole("per_edge", 3, 1, 20, "cubes along each edge of a heap's grid"),
+                    number("duration", 3.0, 0.1, 100.0, "s", "of each heap")},
      .quick = {"seeds=1", "per_edge=2", "duration=1.5"},
      .experiment = measure_touches}};
 

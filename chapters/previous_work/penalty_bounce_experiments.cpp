@@ -145,9 +145,8 @@ Result measure_bounce(const Parameters& settings) {
 
 const Registered penalty_bounce_figure{
     {.name = "claim_2_5_1b_penalty_bounce",
-     .parameters = Parameters{}
-                       .add_number("duration", 20.0, 1.0, 100.0, "s", "of the stack at most")
-                       .add_number("thickest", 0.5, 0.01, 0.5, "m", "plate at most"),
+     .parameters = {number("duration", 20.0, 1.0, 100.0, "s", "of the stack at most"),
+                    number("thickest", 0.5, 0.01, 0.5, "m", "plate at most")},
      .quick = {"duration=1", "thickest=0.02"},
      .experiment = measure_bounce}};
 

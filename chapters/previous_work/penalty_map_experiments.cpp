@@ -91,10 +91,9 @@ Result measure_map(const Parameters& settings) {
 
 const Registered penalty_map_figure{
     {.name = "claim_2_5_1a_penalty_map",
-     .parameters = Parameters{}
-                       .add_number("duration", 2.0, 0.1, 100.0, "s", "simulated time")
-                       .add_number("finest", 3840.0, 60.0, 1e6, "1/s",
-                                   "most steps a second; from 60 on, doubled each time"),
+     .parameters = {number("duration", 2.0, 0.1, 100.0, "s", "simulated time"),
+                    number("finest", 3840.0, 60.0, 1e6, "1/s",
+                           "most steps a second; from 60 on, doubled each time")},
      .quick = {"finest=480"},
      .experiment = measure_map}};
 

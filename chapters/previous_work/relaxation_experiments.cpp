@@ -140,7 +140,7 @@ Result measure_relaxation(const Parameters& settings) {
 
 const Registered relaxation_figure{
     {.name = "claim_2_3a_relaxation",
-     .parameters = Parameters{}.add_whole("passes", 64, 1, 64, "over the rods of a chain at most"),
+     .parameters = {whole("passes", 64, 1, 64, "over the rods of a chain at most")},
      .quick = {"passes=4"},
      .experiment = measure_relaxation}};
 

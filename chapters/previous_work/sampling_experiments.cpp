@@ -17,8 +17,7 @@ constexpr std::array<double, 3> kMoments = {0.5, 0.8,
 Scene bowling() {
   constexpr double apart = 0.3;  // [m]
   constexpr double surface = 0.3;
-  Scene scene;
-  scene.ground = SceneGround{.friction = surface, .restitution = surface};
+  Scene scene{.ground = SceneGround{.friction = surface, .restitution = surface}};
   scene.boxes.push_back({.name = "bowl",
                          .size = Vec3::Constant(0.2),
                          .mass = 5.0,
@@ -44,8 +43,7 @@ Scene bowling() {
 
 // A die of 16 mm, as examples/scenes/six.toml has it, that is to show a six on a square centimetre.
 Scene die_on_a_square() {
-  Scene scene;
-  scene.ground.emplace();
+  Scene scene{.ground = SceneGround{}};
   scene.boxes.push_back({.name = "die",
                          .size = Vec3::Constant(0.016),
                          .mass = 0.005,
@@ -184,15 +182,14 @@ Result measure_sampling(const Parameters& settings) {
 
 const Registered sampling_figure{
     {.name = "chain_motions",
-     .parameters = Parameters{}
-                       .add_whole("seed", 1, 0, 1000000, "of the chains")
-                       .add_whole("motions", 3, 1, 3, "rows of the picture")
-                       .add_number("strictness", 10.0, 0.01, 1000.0, "-", "of the wishes")
-                       .add_whole("proposals", 2000, 1, 100000, "of a chain, at most")
-                       .add_whole("drawn", 400, 1, 100000, "motions without a chain")
-                       .add_number("die_strictness", 30.0, 0.01, 1000.0, "-", "of its wishes")
-                       .add_whole("chains", 8, 1, 1000, "of the die")
-                       .add_whole("die_drawn", 2000, 1, 1000000, "motions without a chain"),
+     .parameters = {whole("seed", 1, 0, 1000000, "of the chains"),
+                    whole("motions", 3, 1, 3, "rows of the picture"),
+                    number("strictness", 10.0, 0.01, 1000.0, "-", "of the wishes"),
+                    whole("proposals", 2000, 1, 100000, "of a chain, at most"),
+                    whole("drawn", 400, 1, 100000, "motions without a chain"),
+                    number("die_strictness", 30.0, 0.01, 1000.0, "-", "of its wishes"),
+                    whole("chains", 8, 1, 1000, "of the die"),
+                    whole("die_drawn", 2000, 1, 1000000, "motions without a chain")},
      .quick = {"seed=11", "motions=1", "proposals=60", "drawn=2", "chains=1", "die_drawn=20"},
      .experiment = measure_sampling}};
 

@@ -68,8 +68,7 @@ std::vector<double> fall(int seed, double duration) {
 // Returns [-] how high it rises above its start, over what the parabola does
 double thrown(Table& table) {
   const Vec3 start_w(0.0, 1.5, 0.0), velocity_w(3.0, 4.0, 0.0);  // [m], [m/s]
-  Scene scene;
-  scene.ground.emplace();
+  Scene scene{.ground = SceneGround{}};
   scene.boxes.emplace_back();
   scene.boxes[0].position_w = start_w;
   scene.boxes[0].velocity_w = velocity_w;
@@ -125,9 +124,8 @@ Result measure_settling(const Parameters& settings) {
 
 const Registered settling_figure{
     {.name = "claim_2_7_1a_settling",
-     .parameters = Parameters{}
-                       .add_whole("seeds", 10, 1, 100, "clumps")
-                       .add_number("duration", 4.0, 0.5, 100.0, "s", "of the clumps that fall"),
+     .parameters = {whole("seeds", 10, 1, 100, "clumps"),
+                    number("duration", 4.0, 0.5, 100.0, "s", "of the clumps that fall")},
      .quick = {"seeds=2", "duration=1"},
      .experiment = measure_settling}};
 

@@ -60,12 +60,11 @@ struct CageStretch {
 
 // The settings that the figures on cages share.
 inline Parameters cage_settings() {
-  return Parameters{}
-      .add_whole("seeds", 20, 2, 1000, "cages of each kind")
-      .add_number("speed", 2.0, 0.01, 100.0, "m/s", "largest component of a velocity at the start")
-      .add_number("spin", 2.0, 0.0, 100.0, "rad/s",
-                  "largest component of an angular velocity at the start")
-      .add_whole("lead", 30, 0, 10000, "frames of 1/60 s before work is counted");
+  return {whole("seeds", 20, 2, 1000, "cages of each kind"),
+          number("speed", 2.0, 0.01, 100.0, "m/s", "largest component of a velocity at the start"),
+          number("spin", 2.0, 0.0, 100.0, "rad/s",
+                 "largest component of an angular velocity at the start"),
+          whole("lead", 30, 0, 10000, "frames of 1/60 s before work is counted")};
 }
 
 // A stretch with the settings of a figure.

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Crowded frames in which the forms of the timewarp go wrong (thesis 5.1).
-#include "driver/experiment.hpp"
 #include "timewarp/crowd_scenes.hpp"
 #include "timewarp/event_story.hpp"
 
@@ -239,15 +238,13 @@ Result measure_crowd_order(const Parameters& settings) {
 
 const Registered claim_5_1a_order_figure{
     {.name = "claim_5_1a_order",
-     .parameters =
-         Parameters{}
-             .add_whole("seeds", 24, 2, 1000, "cages")
-             .add_whole("frames", 3, 1, 1000, "fresh states of each cage, at each speed")
-             .add_whole("cubes", 27, 2, 1000, "in a cage")
-             .add_whole("chains", 400, 1, 100000, "on a line, at each speed")
-             .add_whole("checked", 12, 1, 1000, "cages in which the two references are compared")
-             .add_whole("finest", 1024, 64, 1024, "steps in a frame of the other reference")
-             .add_number("resolution", 1e-9, 1e-12, 1e-3, "s", "of every search for collisions"),
+     .parameters = {whole("seeds", 24, 2, 1000, "cages"),
+                    whole("frames", 3, 1, 1000, "fresh states of each cage, at each speed"),
+                    whole("cubes", 27, 2, 1000, "in a cage"),
+                    whole("chains", 400, 1, 100000, "on a line, at each speed"),
+                    whole("checked", 12, 1, 1000, "cages in which the two references are compared"),
+                    whole("finest", 1024, 64, 1024, "steps in a frame of the other reference"),
+                    number("resolution", 1e-9, 1e-12, 1e-3, "s", "of every search for collisions")},
      .quick = {"seeds=4", "frames=2", "chains=60", "finest=64"},
      .experiment = measure_crowd_order}};
 

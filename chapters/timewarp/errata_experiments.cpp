@@ -2,7 +2,6 @@
 /// \brief T1 to T10, each left in SIMPLESYNCTIMEWARP while the other misprints are mended (thesis A.1).
 #include "tumble/timewarp/timewarp_swept.hpp"
 
-#include "driver/experiment.hpp"
 #include "timewarp/errata_runs.hpp"
 
 namespace tumble::chapters {

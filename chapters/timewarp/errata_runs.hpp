@@ -40,7 +40,6 @@ struct PrintedRun : FrameRun {
 
 // A cube of 1 m and 1 kg above a ground.
 // height: [m] of its lower face
-// restitution: [-]
 [[nodiscard]] inline World world_with_falling_cube(double height, double restitution) {
   World world;
   world.add_ground(0.0, restitution);
@@ -70,7 +69,6 @@ class WayWatcher : public Observer {
 };
 
 // Runs one frame.
-// dt: [s] the frame
 [[nodiscard]] inline FrameRun run_frame(Technique& technique, const World& world, double dt) {
   FrameRun run{.world = world};
   WayWatcher watcher(run.world, run);
@@ -86,7 +84,6 @@ class WayWatcher : public Observer {
 }
 
 // Runs one frame of a listing as printed.
-// dt: [s] the frame
 [[nodiscard]] inline PrintedRun run_printed(const TimewarpAsPrintedOptions& options,
                                             const World& world, double dt = kLineFrame) {
   TimewarpAsPrinted technique(options);
@@ -131,7 +128,6 @@ class ErrataBench {
   }
 
   // Runs one frame of the listing with some misprints left in.
-  // dt: [s] the frame
   [[nodiscard]] PrintedRun run(std::string_view left, const World& world,
                                double dt = kLineFrame) const {
     return run_printed(as_meant_but(left), world, dt);
@@ -168,12 +164,11 @@ class ErrataBench {
     for (const auto part : parts) part(bench);
     return bench.result;
   };
-  return {
-      .name = name,
-      .parameters = Parameters{}.add_whole(
-          "cap", 1000, 1, 1000000, "passes of the main loop after which an endless run is left"),
-      .quick = {"cap=50"},
-      .experiment = measure};
+  return {.name = name,
+          .parameters = {whole("cap", 1000, 1, 1000000,
+                               "passes of the main loop after which an endless run is left")},
+          .quick = {"cap=50"},
+          .experiment = measure};
 }
 
 }  // namespace tumble::chapters

@@ -3,7 +3,6 @@
 #include "tumble/timewarp/timewarp_safer.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
-#include "driver/experiment.hpp"
 #include "timewarp/errata_runs.hpp"
 
 namespace tumble::chapters {

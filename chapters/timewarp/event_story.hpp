@@ -28,7 +28,6 @@ inline std::unique_ptr<Technique> search_over_all(double resolution = 1e-9) {
 }
 
 // Runs a technique and keeps its events.
-// dt: [s] of a frame, above 0
 inline EventLog events_of(Technique& technique, World& world, double dt, int frames = 1) {
   EventRecorder recorder;
   technique.observe(&recorder);
@@ -49,7 +48,6 @@ inline std::vector<Collision> story_of(const EventLog& events, const World& star
 }
 
 // Runs a technique and writes down the collisions.
-// dt: [s] of a frame, above 0
 inline std::vector<Collision> story_of(Technique& technique, World world, double dt,
                                        int frames = 1) {
   const World start = world;

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Figure 5.1: the order in which five cubes meet, by four techniques (thesis 5.1).
-#include "driver/experiment.hpp"
 #include "timewarp/bands.hpp"
 #include "timewarp/event_story.hpp"
 
@@ -146,8 +145,8 @@ Result measure_order_of_five(const Parameters& settings) {
 
 std::vector<Figure> figure_of_five() {
   Parameters parameters = scene_recipe("fig5_1").parameters();
-  parameters.add_number("frame", 1.0 / 60.0, 1e-4, 1.0, "s", "length of the frame")
-      .add_whole("reference_steps", 1000, 1, 100000, "steps of the reference in the frame");
+  parameters.add(number("frame", 1.0 / 60.0, 1e-4, 1.0, "s", "length of the frame"))
+      .add(whole("reference_steps", 1000, 1, 100000, "steps of the reference in the frame"));
   return {{.name = "fig5_1_order", .parameters = parameters, .experiment = measure_order_of_five}};
 }
 const Registered fig5_1_order_figure(figure_of_five);

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Claim 2.4.3a: all bodies taken back for a collision, or only those near it.
-#include "driver/experiment.hpp"
 #include "timewarp/cage_runs.hpp"
 
 namespace tumble::chapters {
@@ -141,8 +140,8 @@ Result measure_rewinding(const Parameters& settings) {
 
 const Registered claim_2_4_3a_rewinding_figure{
     {.name = "claim_2_4_3a_rewinding",
-     .parameters = cage_settings().add_whole(
-         "frames", 2, 1, 100, "in which the work of 512 bodies is counted; of fewer bodies, more"),
+     .parameters = cage_settings().add(whole(
+         "frames", 2, 1, 100, "in which the work of 512 bodies is counted; of fewer bodies, more")),
      .quick = {"seeds=2", "lead=20"},
      .experiment = measure_rewinding}};
 

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Claim 2.4.3b: full timewarp, all bodies waiting for one another on every so many frames.
-#include "driver/experiment.hpp"
 #include "timewarp/cage_runs.hpp"
 
 namespace tumble::chapters {
@@ -163,12 +162,12 @@ const Registered claim_2_4_3b_synchronising_figure{
     {.name = "claim_2_4_3b_synchronising",
      .parameters =
          cage_settings()
-             .add_whole("larger", 512, 8, 1000, "cubes in the larger cage")
-             .add_whole("smaller", 64, 8, 1000, "cubes in the smaller cage")
-             .add_whole(
-                 "flights", 4, 1, 100,
-                 "of 8 frames each, in which the work of the smaller cage is counted; of the "
-                 "larger one it is counted in one"),
+             .add(whole("larger", 512, 8, 1000, "cubes in the larger cage"))
+             .add(whole("smaller", 64, 8, 1000, "cubes in the smaller cage"))
+             .add(
+                 whole("flights", 4, 1, 100,
+                       "of 8 frames each, in which the work of the smaller cage is counted; of the "
+                       "larger one it is counted in one")),
      .quick = {"seeds=4", "lead=20", "larger=64", "smaller=27"},
      .experiment = measure_synchronising}};
 

@@ -4,7 +4,6 @@
 #include "tumble/timewarp/timewarp_simple.hpp"
 #include "tumble/timewarp/timewarp_swept.hpp"
 
-#include "driver/experiment.hpp"
 #include "timewarp/event_story.hpp"
 #include "timewarp/tie_scenes.hpp"
 
@@ -171,12 +170,11 @@ Result measure_ties(const Parameters& settings) {
 
 const Registered claim_5_1c_ties_figure{
     {.name = "claim_5_1c_ties",
-     .parameters =
-         Parameters{}
-             .add_whole("trials", 400, 1, 100000, "pairs of impacts in each bin, turning and not")
-             .add_whole("varied", 400, 1, 100000, "the same with other tolerances")
-             .add_number("resolution", 1e-6, 1e-9, 1e-3, "s",
-                         "tolerance of the search for collisions"),
+     .parameters = {whole("trials", 400, 1, 100000,
+                          "pairs of impacts in each bin, turning and not"),
+                    whole("varied", 400, 1, 100000, "the same with other tolerances"),
+                    number("resolution", 1e-6, 1e-9, 1e-3, "s",
+                           "tolerance of the search for collisions")},
      .quick = {"trials=40", "varied=40"},
      .experiment = measure_ties}};
 

@@ -6,8 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
 // A cube at rest on a slope of tan(angle) = 1/2 with friction 0.49: it slides at (g/√5)(1 - 2·0.49/2) = 0.02 g/√5.
 Scene slope(double friction) {
   Scene scene{.gravity_w = Vec3(0.0, -9.8, 0.0)};
@@ -27,8 +25,6 @@ Scene slope(double friction) {
 }
 
 // --- flush neighbours --------------------------------------------------------------------------------
-
-constexpr double kFrame = 1.0 / 60.0;
 
 SceneBox tile(const Vec3& position_w) {
   SceneBox box;
@@ -230,8 +226,7 @@ TEST_CASE("A brick that hits a thin plate with a corner at 44 m/s does not pass 
 // Its corners hit one after the other: it slides off, as it would with any step. A limit that analytic.hpp states.
 TEST_CASE("The end of a rod that turns does not pass a thin peg beside its middle",
           "[unit][analytic_lcp]") {
-  Scene scene;
-  scene.gravity_w.setZero();
+  Scene scene{.gravity_w = Vec3::Zero()};
   SceneBox peg{.name = "peg",
                .size = Vec3(0.05, 2.0, 0.05),
                .fixed = true,

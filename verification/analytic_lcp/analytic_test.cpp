@@ -3,7 +3,6 @@
 #include "tumble/analytic_lcp/analytic.hpp"
 
 #include "tumble/analytic_lcp/tolerances.hpp"
-#include "tumble/contact/tolerances.hpp"
 #include "tumble/dynamics/step_report.hpp"
 #include "tumble/record/matrix_market.hpp"
 
@@ -14,9 +13,6 @@
 #include "support/test.hpp"
 
 namespace {
-
-using namespace tumble;
-using namespace tumble::test;
 
 // What a run came to.
 struct Course {

@@ -12,13 +12,10 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
 using Catch::Matchers::Contains;
 
 Instant cube_on_ground() {
-  World world;
-  world.add_ground();
+  World world = ground_world();
   add_box(world, Vec3::Ones(), 1.0, Vec3(0, 0.5, 0));
   return Instant(world);
 }
@@ -77,8 +74,7 @@ TEST_CASE("A torque of -6 N m tips a cube over its right edge", "[exact][assembl
 }
 
 TEST_CASE("The contacts of a stack bear what is above them", "[exact][assembly][analytic_lcp]") {
-  World world;
-  world.add_ground();
+  World world = ground_world();
   for (int k = 0; k < 5; ++k) add_box(world, Vec3::Ones(), 1.0, Vec3(0, 0.5 + k, 0));
   Instant stack(world);
   stack.solve();
@@ -106,8 +102,7 @@ TEST_CASE("The force on the edge of a rocking block is its weight less what its 
   const double tilt = 0.3, omega = 1.7, mass = 4.0, w = 0.4, h = 2.0;
   const Quat orientation = about(Vec3::UnitZ(), -tilt);
   const Vec3 edge = orientation * Vec3(0.5 * w, -0.5 * h, 0);
-  World world;
-  world.add_ground();
+  World world = ground_world();
   add_box(world, Vec3(w, h, 1.0), mass, Vec3(0, -edge.y(), 0), orientation,
           Vec3(0, -omega * edge.x(), 0), Vec3(0, 0, omega));
   Instant block(world);
@@ -184,8 +179,7 @@ TEST_CASE("With forces on the bodies, assembling again gives A f + b",
 }
 
 TEST_CASE("A point that separates faster than asked has no row", "[unit][assembly][analytic_lcp]") {
-  World world;
-  world.add_ground();
+  World world = ground_world();
   // It turns about its left edge: the right one lifts off with 0.5 m/s.
   add_box(world, Vec3::Ones(), 1.0, Vec3(0, 0.5, 0), Quat::Identity(), Vec3(0, 0.25, 0),
           Vec3(0, 0, 0.5));

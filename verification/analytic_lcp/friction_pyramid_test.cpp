@@ -9,9 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 constexpr double kPi = std::numbers::pi;
 
 // The ground, and a particle of 1 kg on it.

@@ -6,8 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
 // A cube of 1 kg on four corners on an immovable one, and what the pushes make of its velocity.
 struct Slider {
   World world;

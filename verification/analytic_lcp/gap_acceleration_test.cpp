@@ -11,9 +11,6 @@
 #include <array>
 #include <cmath>
 
-using namespace tumble;
-using namespace tumble::test;
-
 TEST_CASE("A free body tumbles as Euler's equations say", "[exact][assembly][analytic_lcp]") {
   World world;
   add_box(world, Vec3(3, 2, 1), 12.0, Vec3::Zero(), Quat::Identity(), Vec3(1, 2, 3),

@@ -9,10 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-
-constexpr double kFrame = 1.0 / 60.0;
-
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 // Layers of three blocks, crosswise; one in the middle is pulled.

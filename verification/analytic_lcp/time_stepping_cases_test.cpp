@@ -7,14 +7,9 @@
 
 namespace {
 
-using namespace tumble;
-
-constexpr double kFrame = 1.0 / 60.0;
-
 Vec3 velocity_of(const Simulation& simulation, int body) {
   const World& world = simulation.world();
-  return velocity(world.bodies()[static_cast<std::size_t>(body)],
-                  world.states()[static_cast<std::size_t>(body)]);
+  return velocity(world.bodies()[idx(body)], world.states()[idx(body)]);
 }
 
 }  // namespace

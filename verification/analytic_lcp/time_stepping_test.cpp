@@ -8,9 +8,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 BodyId add_cube(World& world, const Vec3& position_w, const Vec3& velocity_w = Vec3::Zero(),
                 double friction = 0.5, double restitution = 0.0) {
   return world.add(box_properties(Vec3::Ones(), 1.0, friction, restitution), position_w,

@@ -7,9 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // A world with velocities that can be stepped, without geometry: contacts are put down by hand.
 struct RandomScene {
   World world;

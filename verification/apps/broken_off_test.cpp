@@ -5,9 +5,6 @@
 
 namespace {
 
-namespace fs = std::filesystem;
-using namespace tumble::test;
-
 const char* const kTables[] = {"trajectory.csv", "metrics.csv", "events.csv", "contacts.csv",
                                "timing.csv"};
 

@@ -3,13 +3,6 @@
 #include "apps/command.hpp"
 #include "support/test.hpp"
 
-namespace {
-
-namespace fs = std::filesystem;
-using namespace tumble::test;
-
-}  // namespace
-
 TEST_CASE(
     "A run of a scene in which boxes come and go repeats its hash and has rows for the boxes that "
     "are there",

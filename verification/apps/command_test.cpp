@@ -4,13 +4,6 @@
 
 #include "support/test.hpp"
 
-namespace {
-
-namespace fs = std::filesystem;
-using namespace tumble::test;
-
-}  // namespace
-
 TEST_CASE("A run leaves every file, and its own scene.toml repeats its hash", "[unit][command]") {
   const Folder one("one");
   const Folder two("two");

@@ -5,9 +5,6 @@
 
 namespace {
 
-namespace fs = std::filesystem;
-using namespace tumble::test;
-
 bool has(const Outcome& outcome, const std::string& part) {
   return outcome.text.find(part) != std::string::npos;
 }

@@ -7,9 +7,6 @@
 
 namespace {
 
-namespace fs = std::filesystem;
-using namespace tumble::test;
-
 const std::string kTumble = TUMBLE_COMMAND;
 
 }  // namespace

@@ -6,9 +6,6 @@
 
 namespace {
 
-namespace fs = std::filesystem;
-using namespace tumble::test;
-
 // A folder with a run of half a second: 31 frames.
 void run_a_die(const Folder& folder) {
   REQUIRE(run_tumble("run dice --duration 0.5 --quiet --out " + folder.text()).code == 0);

@@ -5,9 +5,6 @@
 
 namespace {
 
-namespace fs = std::filesystem;
-using namespace tumble::test;
-
 // A cell of a table without quoted cells.
 std::string cell(const std::string& row, int column) {
   std::istringstream in(row);

@@ -9,9 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // A problem in files of a folder of its own, and the command that solves it.
 struct Files {
   explicit Files(const char* name) : folder(name) {

@@ -5,9 +5,6 @@
 
 namespace {
 
-namespace fs = std::filesystem;
-using namespace tumble::test;
-
 bool has_gnuplot() { return shell("command -v gnuplot").code == 0; }
 
 // A path in which no program is.

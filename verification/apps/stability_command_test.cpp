@@ -6,8 +6,6 @@
 
 namespace {
 
-using namespace tumble::test;
-
 // The line of the table that begins with a name.
 std::string line_of(const std::string& text, const std::string& name) {
   std::istringstream lines(text);

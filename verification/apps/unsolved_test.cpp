@@ -6,9 +6,6 @@
 #include <filesystem>
 #include <fstream>
 
-using namespace tumble::test;
-namespace fs = std::filesystem;
-
 TEST_CASE("A run that a solver cannot go on with ends with 3 and leaves the problem to tumble lcp",
           "[unit][apps][analytic]") {
   const Folder folder("unsolved_run");

@@ -4,8 +4,6 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 TEST_CASE("A refused number is reported with its name, its value and the expected one",
           "[unit][error]") {
   CHECK(refusal_of([] { require::finite(kNan, "mass"); }) ==

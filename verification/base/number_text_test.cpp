@@ -9,8 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-
 // Puts a locale in which 0.5 is "0,5" in force for as long as it lives, where the machine has one.
 class CommaLocale {
  public:

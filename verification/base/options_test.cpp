@@ -9,8 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-
 enum class Colour { red, green, blue };
 
 struct PaintOptions {

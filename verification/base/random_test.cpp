@@ -4,8 +4,6 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 // Counts of draws in bins, as χ² with bins - 1 degrees of freedom, scaled to mean 0 and deviation 1.
@@ -91,7 +89,7 @@ TEST_CASE("Random directions favour no side", "[unit][random]") {
     const Vec3 d = random.direction();
     longest = std::max(longest, std::abs(d.norm() - 1.0));
     for (int k = 0; k < 3; ++k) {
-      auto& of_axis = counts[static_cast<std::size_t>(k)];
+      auto& of_axis = counts[idx(k)];
       ++of_axis[std::min<std::size_t>(bin(d[k], -1.0, 1.0, 32), 31)];
     }
   }

@@ -4,8 +4,6 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 // FNV-1a as published: over bytes.

@@ -8,9 +8,6 @@
 #include "support/scenes.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 TEST_CASE("The basic technique keeps energy and momentum of two boxes that collide elastically",
           "[exact][basic_colliding]") {
   World world = world_of("two_boxes", {{"restitution", "1"}});

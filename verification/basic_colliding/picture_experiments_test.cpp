@@ -7,7 +7,6 @@
 
 #include <filesystem>
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {

@@ -9,8 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-
 // A row of BouncingBallED.ref; the columns after these hold impulses.
 struct Sample {
   double time;      // [s]
@@ -48,7 +46,7 @@ TEST_CASE("A bouncing cube of the basic technique follows an event-driven refere
   const std::vector<Sample> samples = samples_of(*folder / "BouncingBallED.ref");
 
   // The same ball as a cube whose lower face is where the point is: 1 m, 1 kg, restitution 0.9.
-  World world = test::ground_world(0.0, 0.9);
+  World world = ground_world(0.0, 0.9);
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0, 0.9);
   world.add(cube, Vec3(0.0, 1.5, 0.0));
   BasicOptions options{.resolution = 1e-9};

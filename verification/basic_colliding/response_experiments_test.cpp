@@ -7,7 +7,6 @@
 #include "driver/statistics.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 TEST_CASE("The basic technique finds the impacts of a bouncing cube at their closed-form times",

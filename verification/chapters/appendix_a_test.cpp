@@ -1,8 +1,8 @@
 /// \file
 /// \brief Appendix A beside the source: reading, findings, refusals.
+#include "driver/appendix_a.hpp"
+
 #include "chapters/scratch.hpp"
-#include "driver/appendix_page.hpp"
-#include "driver/csv.hpp"
 #include "support/test.hpp"
 
 namespace tumble::chapters {

@@ -1,7 +1,6 @@
 /// \file
 /// \brief Figures in the list of their program, their texts, and rows of tables.
 #include "chapters/scratch.hpp"
-#include "driver/csv.hpp"
 #include "driver/figure_texts.hpp"
 #include "driver/registry.hpp"
 #include "support/test.hpp"

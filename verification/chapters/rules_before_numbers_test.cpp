@@ -5,8 +5,6 @@
 #include "driver/ledger.hpp"
 #include "support/test.hpp"
 
-#include <cstdio>
-
 namespace tumble::chapters {
 namespace {
 

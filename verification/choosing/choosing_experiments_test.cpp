@@ -1,9 +1,7 @@
 /// \file
 /// \brief Choosing a technique: the problems' closed forms, the claim, and what the page says of it.
-#include "choosing/cost_experiments.hpp"
+#include "choosing/experiments.hpp"
 #include "choosing/problems.hpp"
-#include "choosing/rest_experiments.hpp"
-#include "choosing/work_experiments.hpp"
 #include "driver/check.hpp"
 #include "driver/csv.hpp"
 #include "driver/quick.hpp"
@@ -11,7 +9,6 @@
 
 #include <filesystem>
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {

@@ -7,7 +7,6 @@
 #include "contact/impact_cases.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::impact_cases;
 
 namespace {

@@ -5,9 +5,6 @@
 #include "support/test.hpp"
 #include "support/touching.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 // The ground, a box on it that sinks in by 1 cm, a box on that one, and a fixed box beside.
@@ -78,7 +75,7 @@ TEST_CASE("Points that touched before get their impulses back, by feature", "[un
   double impulse = 1.0;
   for (Contact& c : before) {
     for (int i = 0; i < c.count; ++i) {
-      ContactPoint& p = c.points[static_cast<std::size_t>(i)];
+      ContactPoint& p = c.points[idx(i)];
       p.normal_impulse = impulse++;
       p.friction_impulse_w = Vec3(0.1, 7.0, 0.2);  // what lies along the normal is not friction
     }

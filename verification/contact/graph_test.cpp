@@ -6,16 +6,12 @@
 
 namespace {
 
-using namespace tumble;
-
-const Vec3 kGravity(0.0, -9.81, 0.0);
+const Vec3 kGravityW(0.0, -9.81, 0.0);
 
 // Bodies of which the first few are immovable.
 std::vector<BodyProperties> some_bodies(int immovable, int count) {
-  std::vector<BodyProperties> bodies(static_cast<std::size_t>(count),
-                                     box_properties(Vec3::Ones(), 1.0));
-  for (int b = 0; b < immovable; ++b)
-    bodies[static_cast<std::size_t>(b)] = fixed_box_properties(Vec3::Ones());
+  std::vector<BodyProperties> bodies(idx(count), box_properties(Vec3::Ones(), 1.0));
+  for (int b = 0; b < immovable; ++b) bodies[idx(b)] = fixed_box_properties(Vec3::Ones());
   return bodies;
 }
 
@@ -84,7 +80,7 @@ TEST_CASE("A plank and a box that hold each other up are one component above the
       contact_of(0, 1, Vec3(0.0, 1.0, 0.0)), contact_of(1, 2, Vec3(-0.4, 1.0, 0.0)),
       contact_of(1, 2, Vec3(-0.4, -1.0, 0.0)), contact_of(1, 3, Vec3(0.0, 1.0, 0.0))};
   std::vector<SupportEdge> edges;
-  support_edges(contacts, kGravity, edges);
+  support_edges(contacts, kGravityW, edges);
   ContactGraph graph;
   graph.build(bodies, edges);
   CHECK(components_of(graph) == std::vector<int>{0, 1, 1, 3});
@@ -101,7 +97,7 @@ TEST_CASE("A small box on the low end of a high plank is above the plank",
       contact_of(1, 2, Vec3(0.6, 0.8, 0.0)), contact_of(2, 3, Vec3(-0.6, -0.8, 0.0)),
       contact_of(2, 4, Vec3(0.6, 0.8, 0.0))};
   std::vector<SupportEdge> edges;
-  support_edges(contacts, kGravity, edges);
+  support_edges(contacts, kGravityW, edges);
   ContactGraph graph;
   graph.build(some_bodies(1, 5), edges);
   CHECK(levels_of(graph) == std::vector<int>{0, 1, 2, 1, 3});
@@ -122,14 +118,14 @@ TEST_CASE("A contact makes an edge from the body that pushes up", "[unit][contac
     return edges.empty() ? std::pair(-1, -1) : std::pair(edges[0].supporter, edges[0].supported);
   };
   const std::pair none(-1, -1);
-  CHECK(edge_for(Vec3(0, 1, 0), kGravity) == std::pair(3, 7));
-  CHECK(edge_for(Vec3(0, -1, 0), kGravity) == std::pair(7, 3));
-  CHECK(edge_for(Vec3(1, 0, 0), kGravity) == none);
+  CHECK(edge_for(Vec3(0, 1, 0), kGravityW) == std::pair(3, 7));
+  CHECK(edge_for(Vec3(0, -1, 0), kGravityW) == std::pair(7, 3));
+  CHECK(edge_for(Vec3(1, 0, 0), kGravityW) == none);
   // 5 degrees from the horizontal is a side contact, 7 degrees is not (limit 5.74 degrees).
-  CHECK(edge_for(Vec3(1, 0.0875, 0), kGravity) == none);
-  CHECK(edge_for(Vec3(1, -0.0875, 0), kGravity) == none);
-  CHECK(edge_for(Vec3(1, 0.1228, 0), kGravity) == std::pair(3, 7));
-  CHECK(edge_for(Vec3(1, -0.1228, 0), kGravity) == std::pair(7, 3));
+  CHECK(edge_for(Vec3(1, 0.0875, 0), kGravityW) == none);
+  CHECK(edge_for(Vec3(1, -0.0875, 0), kGravityW) == none);
+  CHECK(edge_for(Vec3(1, 0.1228, 0), kGravityW) == std::pair(3, 7));
+  CHECK(edge_for(Vec3(1, -0.1228, 0), kGravityW) == std::pair(7, 3));
   // Up is against gravity, wherever that points and however weak it is.
   CHECK(edge_for(Vec3(1, 0, 0), Vec3(-1e-200, 0, 0)) == std::pair(3, 7));
   CHECK(edge_for(Vec3(0, 1, 0), Vec3(0, 3, 0)) == std::pair(7, 3));
@@ -159,8 +155,8 @@ TEST_CASE("Components and levels agree with brute force on random graphs",
     const std::vector<int> order(graph.order().begin(), graph.order().end());
     if (components_of(graph) != oracle.component || levels_of(graph) != oracle.level) ++wrong;
 
-    std::vector<int> sorted(static_cast<std::size_t>(count));
-    for (int b = 0; b < count; ++b) sorted[static_cast<std::size_t>(b)] = b;
+    std::vector<int> sorted(idx(count));
+    for (int b = 0; b < count; ++b) sorted[idx(b)] = b;
     std::stable_sort(sorted.begin(), sorted.end(),
                      [&](int a, int b) { return graph.level(a) < graph.level(b); });
     if (sorted != order) ++wrong;

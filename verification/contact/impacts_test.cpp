@@ -5,7 +5,6 @@
 #include "contact/impact_cases.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::impact_cases;
 
 namespace {
@@ -20,7 +19,7 @@ struct TestScene {
     for (const Heavy& h : bodies) moving.push_back(h.moving);
     for (Contact& c : contacts) {
       for (int i = 0; i < c.count; ++i) {
-        ContactPoint& p = c.points[static_cast<std::size_t>(i)];
+        ContactPoint& p = c.points[idx(i)];
         p.approach_speed = c.normal_w.dot(
             relative_velocity(moving[static_cast<std::size_t>(c.first)],
                               moving[static_cast<std::size_t>(c.second)], p.position_w));
@@ -68,7 +67,7 @@ Contact face(int first, int second, const Vec3& center_w, double half, double fr
             .restitution = restitution,
             .count = 4};
   for (int k = 0; k < 4; ++k)
-    c.points[static_cast<std::size_t>(k)].position_w =
+    c.points[idx(k)].position_w =
         center_w + Vec3((k & 1) != 0 ? half : -half, 0.0, (k & 2) != 0 ? half : -half);
   return c;
 }
@@ -260,7 +259,7 @@ TEST_CASE("Impacts in random heaps never raise the energy", "[unit][impacts]") {
     if (r.restitution_share > 1.0 || r.restitution_share < 0.0) ++wrong["account wrong"];
     for (const Contact& c : s.contacts) {
       for (int k = 0; k < c.count; ++k) {
-        const ContactPoint& p = c.points[static_cast<std::size_t>(k)];
+        const ContactPoint& p = c.points[idx(k)];
         if (p.friction_impulse_w.norm() > c.friction * p.normal_impulse * (1.0 + 1e-12))
           ++wrong["outside cone"];
       }

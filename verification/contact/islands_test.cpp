@@ -4,8 +4,6 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 // One body for each letter.
@@ -88,14 +86,14 @@ TEST_CASE("Islands agree with brute force on random contacts, in any order",
       last = members.front();
       if (!std::ranges::is_sorted(members)) ++wrong;
       for (const int body : members)
-        if (smallest[static_cast<std::size_t>(body)] != members.front() ||
-            islands.island_of(body) != k || !bodies[static_cast<std::size_t>(body)].movable())
+        if (smallest[idx(body)] != members.front() || islands.island_of(body) != k ||
+            !bodies[idx(body)].movable())
           ++wrong;
       bodies_seen += members.size();
       const std::vector<int> touched = list(islands.contacts(k));
       if (!std::ranges::is_sorted(touched)) ++wrong;
       for (const int c : touched) {
-        const Contact& contact = contacts[static_cast<std::size_t>(c)];
+        const Contact& contact = contacts[idx(c)];
         if (islands.island_of(contact.first) != k && islands.island_of(contact.second) != k)
           ++wrong;
       }

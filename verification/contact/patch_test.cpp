@@ -7,7 +7,6 @@
 #include "contact/impact_cases.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::impact_cases;
 
 namespace {
@@ -43,7 +42,7 @@ SimultaneousResult solve(std::vector<Heavy>& bodies, std::vector<Contact>& conta
 Vec3 total_impulse(const Contact& c) {
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < c.count; ++i) {
-    const ContactPoint& p = c.points[static_cast<std::size_t>(i)];
+    const ContactPoint& p = c.points[idx(i)];
     sum += p.normal_impulse * c.normal_w + p.friction_impulse_w;
   }
   return sum;
@@ -178,7 +177,7 @@ TEST_CASE("Random faces of random boxes keep every promise", "[unit][patch]") {
       ++wrong["account wrong"];
     if (!on_ground && dp.norm() > 1e-12 * (p.norm() + mass + other)) ++wrong["momentum lost"];
     for (int k = 0; k < contacts[0].count; ++k) {
-      const ContactPoint& c = contacts[0].points[static_cast<std::size_t>(k)];
+      const ContactPoint& c = contacts[0].points[idx(k)];
       if (c.normal_impulse < 0.0 ||
           c.friction_impulse_w.norm() > mu * c.normal_impulse * (1.0 + 1e-12)) {
         ++wrong["outside cone"];

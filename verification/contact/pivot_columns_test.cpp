@@ -6,9 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
-constexpr double kStep = 1.0 / 60.0;
 constexpr double kLean = 0.3;  // [rad] of the centre of mass about the edge, at the start
 // [rad] The same after half a second, from the closed form of a pendulum whose bodies are glued.
 constexpr double kLeanAfterHalf = 0.441380063385;
@@ -47,7 +44,7 @@ Fall fall(const std::string& name, PoseUpdate pose, double yaw = 0.0) {
   const double start = energy_of(world).total();
   double booked = 0.0;
   for (int step = 0; step < 30; ++step) {
-    const StepReport report = technique->step(world, kStep);
+    const StepReport report = technique->step(world, kFrame);
     CHECK(report.status == StepStatus::done);
     booked += report.energy.total();
     for (int k = 1; k < 4; ++k) {

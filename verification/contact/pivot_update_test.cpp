@@ -9,8 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-
 // Bodies with their momenta, and the pairs that push each other.
 struct TestScene {
   World world;

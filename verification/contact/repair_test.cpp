@@ -9,9 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 constexpr double kSlop = tolerance::repair_slop;  // [m] for bodies with a shortest edge of 1 m
 
 BodyState place(const Vec3& position_w, const Quat& orientation_wb = Quat::Identity()) {

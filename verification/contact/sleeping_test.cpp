@@ -6,10 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
-constexpr double kDt = 1.0 / 60.0;
-
 BodyState place(double x, double y) { return BodyState{.position_w = Vec3(x, y, 0.0)}; }
 
 // A technique as small as can be: boxes fall, stop dead on what is under them, and slide freely.
@@ -59,7 +55,7 @@ struct Rig {
     if (backwards) std::ranges::reverse(contacts);
   }
 
-  SleepReport step(double dt = kDt) {
+  SleepReport step(double dt = kFrame) {
     tests = gathers = 0;
     rule.wake_disturbed(world);
     do gather();
@@ -341,7 +337,7 @@ TEST_CASE("A copy of world and rule goes on in the same bits", "[determinism][sl
   Heaps backwards = heaps;
   backwards.backwards = true;
   for (int k = 0; k < 100; ++k) {
-    const double dt = k % 3 == 0 ? kDt : 0.5 * kDt;
+    const double dt = k % 3 == 0 ? kFrame : 0.5 * kFrame;
     if (k == 20) {
       heaps.world.remove(heaps.low);
       copy.world.remove(copy.low);
@@ -366,6 +362,6 @@ TEST_CASE("Bad input to the sleeping rule is refused", "[unit][sleeping]") {
   heaps.box(9.0, 9.0);
   CHECK_THROWS_WITH(heaps.rule.wake_touched(heaps.world, heaps.contacts),
                     Contains("wake_disturbed"));
-  CHECK_THROWS_AS(heaps.rule.update(heaps.world, heaps.contacts, heaps.islands, kDt),
+  CHECK_THROWS_AS(heaps.rule.update(heaps.world, heaps.contacts, heaps.islands, kFrame),
                   std::invalid_argument);
 }

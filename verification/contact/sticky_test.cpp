@@ -4,11 +4,7 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
-
-constexpr double kGravity = 9.81;
 
 struct Bounces {
   int collisions = 0;  // those that bounced and the one that stuck

@@ -8,9 +8,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // A stack of cubes of 1 kg at x = 0 and one at x = 5.
 World two_stacks(int count) {
   World world = ground_world(0.5);

@@ -7,9 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // Whether the configuration of figure 6.5 stays for two seconds. With 5 % too little on top a lower
 // block turns by its own weight at 0.17 rad/s², which takes its centre 0.1 m away within two
 // seconds.

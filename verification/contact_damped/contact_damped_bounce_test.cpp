@@ -5,8 +5,6 @@
 
 #include <tuple>
 
-using namespace tumble;
-
 namespace {
 
 constexpr double kEdge = 0.1;
@@ -18,8 +16,7 @@ struct InRow {
 
 // Elastic cubes in a row, without gravity and friction.
 Scene row_of(const std::vector<InRow>& cubes) {
-  Scene scene;
-  scene.gravity_w.setZero();
+  Scene scene{.gravity_w = Vec3::Zero()};
   for (const InRow& cube : cubes)
     scene.boxes.push_back({.name = "cube" + std::to_string(scene.boxes.size()),
                            .size = Vec3::Constant(kEdge),

@@ -6,9 +6,7 @@
 #include "support/shared_data.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
-using namespace tumble::test;
 
 namespace {
 

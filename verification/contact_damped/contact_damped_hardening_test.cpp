@@ -7,9 +7,6 @@
 #include "support/pose.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 const BodyProperties kCube = box_properties(Vec3::Ones(), 1.0);
@@ -95,8 +92,7 @@ TEST_CASE("A box that is replaced by an immovable one in its place disturbs no o
   world.set_velocity(world.ids()[5], Vec3(0.02, 0.0, 0.01), Vec3(0.01, 0.0, 0.0));
   const Course course = run(world, *technique, 1.0);
   CHECK(course.failed == 0);
-  for (int k = 1; k < 10; ++k)
-    CHECK(world.states()[static_cast<std::size_t>(k)].position_w.y() == near(k - 0.5, 1e-3));
+  for (int k = 1; k < 10; ++k) CHECK(world.states()[idx(k)].position_w.y() == near(k - 0.5, 1e-3));
 }
 
 TEST_CASE("A heavy box that drops on sleeping boxes meets bodies with their own masses",

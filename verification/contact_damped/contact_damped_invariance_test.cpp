@@ -8,9 +8,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 struct Example {
   const char* scene;
   Settings settings;

@@ -6,8 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
 // A tower of crossed layers of three blocks; one block has a velocity along its length.
 Scene tower(int layers, int layer, int block, double speed, double scale) {
   Scene scene{.ground = SceneGround{0.4, 0.0}};
@@ -144,8 +142,7 @@ TEST_CASE("A tower that rides on a moving sled stands as one that rests",
 }
 
 TEST_CASE("A body that turns by radians in a step keeps its energy", "[unit][contact_damped]") {
-  Scene scene;
-  scene.gravity_w.setZero();
+  Scene scene{.gravity_w = Vec3::Zero()};
   scene.boxes.push_back(SceneBox{.size = Vec3(1.2, 0.46, 1.8)});
   for (const double turn : {0.6, 2.0, 5.0, 30.0}) {
     for (const Vec3& axis : {Vec3(1.0, 0.1, 0.1), Vec3(1.0, 2.0, 3.0), Vec3(3.0, 1.0, 1.0)}) {
@@ -188,8 +185,7 @@ TEST_CASE("A box that tumbles on the ground does not sink into it", "[unit][cont
 
 TEST_CASE("A plate that turns by radians in a step does not go through the ground",
           "[unit][contact_damped]") {
-  Scene scene;
-  scene.ground.emplace();
+  Scene scene{.ground = SceneGround{}};
   SceneBox plate{.size = Vec3(4.4, 2.3, 0.36), .position_w = Vec3(0.0, 3.0, 0.0)};
   plate.angular_velocity_w = Vec3(-2.5, -5.7, -17.5);  // 2 rad in a step
   scene.boxes = {plate};
@@ -231,8 +227,7 @@ TEST_CASE("Boxes that move by many edges in a step meet where their ways cross",
         .angular_velocity_w = Vec3(0.0, 0.0, 40.0)}}};
   for (const Case& c : cases) {
     CAPTURE(c.name);
-    Scene scene;
-    scene.gravity_w.setZero();
+    Scene scene{.gravity_w = Vec3::Zero()};
     scene.boxes = {c.first, c.second};
     Simulation simulation(scene);
     const double start = energy_of(simulation.world()).total();
@@ -252,8 +247,7 @@ TEST_CASE("Cubes that are thrown at each other hardly get into each other",
   int deep = 0;
   for (int k = 0; k < 1500; ++k) {
     CAPTURE(k);
-    Scene scene;
-    scene.gravity_w.setZero();
+    Scene scene{.gravity_w = Vec3::Zero()};
     const Vec3 from_w = 2.2 * random.direction();
     const Vec3 aim_w = random.in_cube(0.7) - from_w;
     scene.boxes = {{.name = "target", .orientation_wb = random.orientation()},
@@ -384,8 +378,7 @@ TEST_CASE("A thin rod that tumbles on the ground gains no energy", "[unit][conta
 
 TEST_CASE("A rod that spins about an axis across it and lands keeps its energy out of its spin",
           "[unit][contact_damped]") {
-  Scene scene;
-  scene.ground.emplace();
+  Scene scene{.ground = SceneGround{}};
   SceneBox rod{.size = Vec3(0.02, 2.0, 0.02), .position_w = Vec3(0.0, 2.0, 0.0)};
   rod.orientation_wb = rotation_from_vector(Vec3(0.0, 0.0, 1.4));
   rod.angular_velocity_w = Vec3(30.0, 0.0, 0.0);

@@ -4,12 +4,6 @@
 
 #include "support/test.hpp"
 
-#include <algorithm>
-#include <limits>
-
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 // Whether a box that moves along a way, as far as it leads, overlaps another one: on each of the 15 axes both cover an interval of
@@ -38,8 +32,7 @@ bool overlap_on_way(const SceneBox& still, const SceneBox& moving, const Vec3& w
 // Two boxes without gravity, of which one flies past the other with some room, or without: below 0 they overlap on the way.
 Scene near_miss(double room, double speed, std::uint64_t seed) {
   Random random(seed);
-  Scene scene;
-  scene.gravity_w.setZero();
+  Scene scene{.gravity_w = Vec3::Zero()};
   for (const char* name : {"still", "flies"}) {
     SceneBox& box = scene.boxes.emplace_back();
     box.name = name;
@@ -89,8 +82,7 @@ TEST_CASE("A box that flies past another one goes on as before, and one that doe
 }
 
 TEST_CASE("A bar that turns beside a block does not touch it", "[unit][contact_damped]") {
-  Scene scene;
-  scene.gravity_w.setZero();
+  Scene scene{.gravity_w = Vec3::Zero()};
   SceneBox bar;
   bar.name = "bar";
   bar.size = Vec3(2.0, 0.1, 0.1);
@@ -111,8 +103,7 @@ TEST_CASE("A bar that turns beside a block does not touch it", "[unit][contact_d
 }
 
 TEST_CASE("A box slides under a ceiling with little room", "[unit][contact_damped]") {
-  Scene scene;
-  scene.ground = SceneGround{.friction = 0.3};
+  Scene scene{.ground = SceneGround{.friction = 0.3}};
   SceneBox& slides = scene.boxes.emplace_back();
   slides.name = "slides";
   slides.position_w.y() = 0.5;

@@ -7,9 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // How far the box of `slope` has gone down along it, and how fast it goes there.
 struct Slider {
   double place = 0.0;   // [m]
@@ -254,7 +251,7 @@ TEST_CASE("What touches and is held by nothing falls as one, whatever the masses
       const std::array masses = {1.0, 10.0, 1.0};
       for (int k = 0; k < 3; ++k)
         scene.boxes.push_back({.name = "cube" + std::to_string(k),
-                               .mass = masses[static_cast<std::size_t>(k)],
+                               .mass = masses[idx(k)],
                                .position_w = Vec3(0.0, k, 0.0),
                                .velocity_w = Vec3(0.0, k == 2 ? -speed : 0.0, 0.0)});
       Simulation simulation(scene);

@@ -6,8 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
 // A floor of loose cubes of unlike masses, a sled with a bottle on it that slides over them, and a spinning cube that falls.
 Scene crossed_floor(std::uint64_t seed) {
   constexpr double kEdge = 0.14;
@@ -75,9 +73,9 @@ TEST_CASE("A deck of cards stands whose cards are thinner than what gravity move
   Simulation simulation(scene);
   CHECK(simulation.run_for(3.0) == StepStatus::done);
   for (int k = 0; k < 52; ++k)
-    CHECK((simulation.body("card" + std::to_string(k)).position_w() -
-           scene.boxes[static_cast<std::size_t>(k)].position_w)
-              .norm() < 1e-6);
+    CHECK(
+        (simulation.body("card" + std::to_string(k)).position_w() - scene.boxes[idx(k)].position_w)
+            .norm() < 1e-6);
 }
 
 TEST_CASE("Three of four heaps of a thousand cubes come to rest, and cost fewer sweeps then",

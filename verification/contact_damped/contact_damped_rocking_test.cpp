@@ -10,9 +10,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // Exact values for a block that is released at a tilt: Housner's model with the pendulum's true
 // period, computed with elliptic integrals.
 struct Rocking {
@@ -174,7 +171,7 @@ TEST_CASE("A block that bounces on its corners does what Siconos' event-driven r
   REQUIRE(columns == 13);
   std::vector<std::vector<double>> table;
   for (int row = 0; row < rows; ++row) {
-    table.emplace_back(static_cast<std::size_t>(columns));
+    table.emplace_back(idx(columns));
     for (double& cell : table.back()) in >> cell;
   }
   REQUIRE(in);

@@ -7,9 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // [s] A structure may settle for so long, as its boxes come from places that are not exact.
 constexpr double kSettling = 2.0;
 // [m] After that no box may move farther: invisible on boxes of a metre.

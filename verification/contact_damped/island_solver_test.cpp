@@ -10,9 +10,6 @@
 #include "support/allocation_counter.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 constexpr double kStepGravity = kGravity * kFrame;  // [m/s] gained from gravity in a step

@@ -5,7 +5,7 @@
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/math/rotation.hpp"
 
-#include "driver/common_numbers.hpp"
+#include "driver/played_scene.hpp"
 #include "impulse_damped/tosses.hpp"
 
 #include <algorithm>
@@ -186,7 +186,6 @@ inline World toss_world(const MeasuredToss& toss) {
 }
 
 // Simulates a toss for two seconds.
-// dt: [s] length of a step
 inline TossOutcome simulated_outcome(const MeasuredToss& toss, Technique& technique, double dt) {
   World world = toss_world(toss);
   const Vec3 start = world.states()[1].position_w;

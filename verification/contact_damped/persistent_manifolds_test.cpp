@@ -8,9 +8,6 @@
 #include "contact_damped/helpers.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 ManifoldsFound find(PersistentManifolds& manifolds, const World& world,
@@ -22,7 +19,7 @@ ManifoldsFound find(PersistentManifolds& manifolds, const World& world,
 // Impulses of a box of 1 kg that leans to one side and is braked.
 void push(ContactPatch& patch) {
   for (int i = 0; i < patch.count; ++i) {
-    ContactPatchPoint& p = patch.points[static_cast<std::size_t>(i)];
+    ContactPatchPoint& p = patch.points[idx(i)];
     p.impulse = 0.04 + 0.01 * p.along;
   }
   patch.along_impulse = 0.01;
@@ -72,7 +69,7 @@ TEST_CASE("Gaps of a kept patch follow the small motion of its bodies", "[exact]
   const ContactPatch& patch = manifolds.patches()[1];
   const MovingBody lower = [&] { return MovingBody{.position_w = world.states()[1].position_w}; }();
   for (int i = 0; i < patch.count; ++i) {
-    const ContactPatchPoint& p = patch.points[static_cast<std::size_t>(i)];
+    const ContactPatchPoint& p = patch.points[idx(i)];
     const Vec3 at = position_of(patch, lower, p);
     // [m] omega x r along the vertical: omega_z x - omega_x z.
     CHECK(p.gap == near(2e-7 + 6e-7 * at.x() - 4e-7 * at.z(), 1e-13));
@@ -99,8 +96,7 @@ TEST_CASE("A patch that is built again takes over force and moment of the previo
   const auto after = wrench_of(patch);
   CHECK((after.first - before.first).norm() < 1e-15);    // [N s] rounding of 0.16
   CHECK((after.second - before.second).norm() < 1e-15);  // [N m s]
-  for (int i = 0; i < patch.count; ++i)
-    CHECK(patch.points[static_cast<std::size_t>(i)].impulse > 0.0);
+  for (int i = 0; i < patch.count; ++i) CHECK(patch.points[idx(i)].impulse > 0.0);
 }
 
 TEST_CASE("Impulses scale with the length of the step, and belong to bodies by their ids",

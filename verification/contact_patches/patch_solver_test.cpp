@@ -7,11 +7,7 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
-
-constexpr double kStep = 1.0 / 60.0;
 
 // A cube of 1 m and 2 kg over the ground, and its patch.
 struct OnGround {
@@ -32,14 +28,14 @@ struct OnGround {
     REQUIRE(found.count >= 4);
     int count = 0;
     for (int i = 0; i < found.count; ++i)
-      if (found.points[static_cast<std::size_t>(i)].distance < 0.5)
-        found.points[static_cast<std::size_t>(count++)] = found.points[static_cast<std::size_t>(i)];
+      if (found.points[idx(i)].distance < 0.5)
+        found.points[static_cast<std::size_t>(count++)] = found.points[idx(i)];
     found.count = count;
     REQUIRE(count == 4);
     patch.size = 1.0;
     patch.friction = friction;
     build_patch(found, ground, box, patch);
-    set_targets(tolerance::contact_slop, kStep, patch);
+    set_targets(tolerance::contact_slop, kFrame, patch);
     REQUIRE(patch.spans_area);
   }
 
@@ -71,10 +67,10 @@ TEST_CASE("A point that pushes goes on touching when it rises by a tenth of the 
     for (const double impulse : {0.0, 1.0}) {
       p.gap = rise * tolerance::contact_slop;
       p.impulse = impulse;
-      set_targets(tolerance::contact_slop, kStep, box.patch);
+      set_targets(tolerance::contact_slop, kFrame, box.patch);
       const bool touches = impulse > 0.0 && rise < tolerance::kept_touch;
       CHECK(p.target ==
-            near(touches ? 0.0 : (1.0 - rise) * tolerance::contact_slop / kStep, 1e-18));
+            near(touches ? 0.0 : (1.0 - rise) * tolerance::contact_slop / kFrame, 1e-18));
     }
   }
 }
@@ -102,7 +98,7 @@ TEST_CASE("A box that turns about an edge has a patch whose middle does not slid
   CHECK(std::hypot(motion[0], motion[1]) <
         1e-15);  // [m/s] rounding; 2.5e-3 at the mean of the points
   for (int k = 0; k < 4; ++k) {
-    const Vec3 point_w = position_of(patch, ground, patch.points[static_cast<std::size_t>(k)]);
+    const Vec3 point_w = position_of(patch, ground, patch.points[idx(k)]);
     CHECK(std::abs(point_w.y()) < 1e-15);  // [m] where the edge touches, all of them
   }
 }
@@ -119,7 +115,7 @@ TEST_CASE("A patch that sticks is stopped in all six motions by one product",
   // The ground takes the whole momentum: 2 kg at 0.1635 m/s.
   CHECK(one.normal() == near(0.327, 1e-14));
   CHECK(one.solve(1) < 1e-15);  // already solved
-  for (int i = 0; i < 4; ++i) CHECK(one.patch.points[static_cast<std::size_t>(i)].impulse > 0.0);
+  for (int i = 0; i < 4; ++i) CHECK(one.patch.points[idx(i)].impulse > 0.0);
 }
 
 TEST_CASE("A box that spins on the ground is braked by mu times pressure times lever",
@@ -147,7 +143,7 @@ TEST_CASE("A patch never pulls, and has no friction without pressure", "[exact][
   CHECK(one.solve(4) == 0.0);
   CHECK(largest(impulse_of(one.patch)) == 0.0);
   // Impulses of the step before are removed.
-  for (int i = 0; i < 4; ++i) one.patch.points[static_cast<std::size_t>(i)].impulse = 0.1;
+  for (int i = 0; i < 4; ++i) one.patch.points[idx(i)].impulse = 0.1;
   one.patch.along_impulse = 0.05;
   apply(impulse_of(one.patch), one.patch, one.ground, one.box);
   one.solve(50);
@@ -160,7 +156,7 @@ TEST_CASE("A box above the ground may come down by its gap less the slop, in one
   OnGround one(0.5, 0.01);
   one.box.velocity_w = Vec3(0.0, -2.0, 0.0);
   one.solve(4);
-  CHECK(one.box.velocity_w.y() == near(-(0.01 - tolerance::contact_slop) / kStep, 1e-13));
+  CHECK(one.box.velocity_w.y() == near(-(0.01 - tolerance::contact_slop) / kFrame, 1e-13));
   OnGround slow(0.5, 0.01);
   slow.box.velocity_w = Vec3(0.0, -0.5, 0.0);
   slow.solve(4);

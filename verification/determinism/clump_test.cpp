@@ -10,8 +10,6 @@
 
 namespace {
 
-using namespace tumble;
-
 constexpr double kMargin = 1e-3;  // [m] how far apart surfaces still count as touching
 
 // Steps bodies with every layer once: broad phase, contacts, impacts, flight, repair, sleep.
@@ -30,7 +28,7 @@ class LayerStepper : public Technique {
 
     // Gravity, on bodies that are awake.
     for (int i = 0; i < world.count(); ++i) {
-      const auto k = static_cast<std::size_t>(i);
+      const auto k = idx(i);
       if (world.bodies()[k].movable() && !world.sleep_states()[k].asleep)
         world.states()[k].linear_momentum_w += dt * world.bodies()[k].mass * world.gravity_w;
     }
@@ -42,7 +40,7 @@ class LayerStepper : public Technique {
 
     // Positions.
     for (int i = 0; i < world.count(); ++i) {
-      const auto k = static_cast<std::size_t>(i);
+      const auto k = idx(i);
       if (!world.bodies()[k].movable() || world.sleep_states()[k].asleep) continue;
       advance_pose(world.bodies()[k], world.states()[k], dt, RotationRule::splitting);
       ++report.integrations;
@@ -88,7 +86,7 @@ class LayerStepper : public Technique {
     for (Contact& contact : contacts_) {
       double fastest = 0.0;
       for (int p = 0; p < contact.count; ++p)
-        fastest = std::min(fastest, contact.points[static_cast<std::size_t>(p)].approach_speed);
+        fastest = std::min(fastest, contact.points[idx(p)].approach_speed);
       const BodyProperties& body = world.bodies()[static_cast<std::size_t>(contact.second)];
       const StickyScale scale{world.gravity_w.norm(), body.size.minCoeff(), dt};
       contact.restitution =
@@ -117,8 +115,7 @@ class LayerStepper : public Technique {
 
 // A clump of tumbling, bouncing boxes of several sizes over the ground.
 World bouncing_clump(int per_edge) {
-  World world;
-  world.add_ground(0.5, 0.3);
+  World world = ground_world(0.5, 0.3);
   Random random(20030501);
   for (int k = 0; k < per_edge * per_edge * per_edge; ++k) {
     const Vec3 cell(k % per_edge, k / (per_edge * per_edge), k / per_edge % per_edge);

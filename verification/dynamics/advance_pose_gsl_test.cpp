@@ -8,8 +8,6 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
-using namespace tumble;
-
 namespace {
 
 struct Top {

@@ -5,8 +5,6 @@
 #include "dynamics/random_bodies.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 // Angular velocity in the body frame, the form of the textbooks' solutions.

@@ -5,8 +5,6 @@
 #include "dynamics/random_bodies.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-
 TEST_CASE("A box of 3 by 2 by 1 m and 12 kg has the moments 5, 10 and 13", "[unit][body]") {
   const BodyProperties body = box_properties(Vec3(3.0, 2.0, 1.0), 12.0, 0.25, 0.75);
   CHECK(body.inertia_b == Vec3(5.0, 10.0, 13.0));

@@ -6,8 +6,6 @@
 #include "support/allocation_counter.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 constexpr std::array<SearchMethod, 2> kMethods = {SearchMethod::discrete,

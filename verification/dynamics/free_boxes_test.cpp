@@ -7,8 +7,6 @@
 
 #include <fstream>
 
-using namespace tumble;
-
 namespace {
 
 // Largest errors over 10 s of flight; momentum and energy relative to their start.

@@ -5,12 +5,10 @@
 #include "dynamics/random_bodies.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-
 TEST_CASE("Twenty tumbling boxes and their first collisions have the hashes of every other machine",
           "[determinism][golden][integrate]") {
   Random random(71);
-  World world = test::ground_world();
+  World world = ground_world();
   for (int i = 1; i < 20; ++i) {
     const BodyProperties body = random_box(random);
     world.add(body, random_state(random, body, 4.0, 5.0, 10.0));

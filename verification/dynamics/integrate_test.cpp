@@ -5,18 +5,16 @@
 #include "dynamics/random_bodies.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
-const Vec3 kGravity(0.0, -9.81, 0.0);
+const Vec3 kGravityW(0.0, -9.81, 0.0);
 using Step = void (*)(const BodyProperties&, BodyState&, const Vec3&, double, RotationRule);
 
 // Height after one second of free fall from 10 m in n steps.
 double fallen_to(Step step, int n) {
   const BodyProperties body = box_properties(Vec3::Ones(), 3.0);
   BodyState state = make_state(body, Vec3(0.0, 10.0, 0.0));
-  for (int i = 0; i < n; ++i) step(body, state, kGravity, 1.0 / n, RotationRule::frozen);
+  for (int i = 0; i < n; ++i) step(body, state, kGravityW, 1.0 / n, RotationRule::frozen);
   CHECK(std::abs(velocity(body, state).y() + 9.81) < 1e-12);
   return state.position_w.y();
 }
@@ -51,9 +49,9 @@ TEST_CASE("Flight in two parts is flight in one: translation always, rotation wh
     for (const RotationRule rule : rotation_rules()) {
       BodyState one = start;
       BodyState two = start;
-      fly(body, one, kGravity, first + second, rule);
-      fly(body, two, kGravity, first, rule);
-      fly(body, two, kGravity, second, rule);
+      fly(body, one, kGravityW, first + second, rule);
+      fly(body, two, kGravityW, first, rule);
+      fly(body, two, kGravityW, second, rule);
       worst_position = std::max(worst_position, (one.position_w - two.position_w).norm());
       const bool is_cube = trial % 2 == 0;
       const bool exact = rule == RotationRule::splitting || (is_cube && rule != RotationRule::rk4);
@@ -75,8 +73,8 @@ TEST_CASE("Micro-steps of any length leave a continuous arc", "[unit][integrate]
     for (const double sign : {1.0, -1.0}) {
       BodyState before = start;
       BodyState after = start;
-      fly_in_micro_steps(body, before, kGravity, sign * (0.03 - 1e-12), rule, 0.01);
-      fly_in_micro_steps(body, after, kGravity, sign * (0.03 + 1e-12), rule, 0.01);
+      fly_in_micro_steps(body, before, kGravityW, sign * (0.03 - 1e-12), rule, 0.01);
+      fly_in_micro_steps(body, after, kGravityW, sign * (0.03 + 1e-12), rule, 0.01);
       // [rad] 2e-12 s at 6 rad/s, and rounding.
       CHECK(angle_between(before.orientation_wb, after.orientation_wb) < 2e-11);
       CHECK((before.position_w - after.position_w).norm() < 2e-11);
@@ -93,12 +91,12 @@ TEST_CASE("No integrator moves an immovable body or does anything in no time",
     for (const RotationRule rule : rotation_rules()) {
       const BodyState still = make_state(fixed, Vec3(1.0, 2.0, 3.0), random.orientation());
       BodyState state = still;
-      step(fixed, state, kGravity, 0.1, rule);
+      step(fixed, state, kGravityW, 0.1, rule);
       CHECK(same_state(state, still));
 
       const BodyState moving = random_state(random, body, 1.0, 5.0, 5.0);
       state = moving;
-      step(body, state, kGravity, 0.0, rule);
+      step(body, state, kGravityW, 0.0, rule);
       CHECK(same_state(state, moving));
     }
   }
@@ -109,7 +107,7 @@ TEST_CASE("Micro-steps refuse a length that is not above 0 or would take for eve
   const BodyProperties body = box_properties(Vec3::Ones(), 1.0);
   BodyState state;
   const auto with = [&](double micro_step) {
-    fly_in_micro_steps(body, state, kGravity, 1.0, RotationRule::frozen, micro_step);
+    fly_in_micro_steps(body, state, kGravityW, 1.0, RotationRule::frozen, micro_step);
   };
   CHECK_THROWS_WITH(with(0.0), "tumble: micro_step = 0: expected a number above 0");
   CHECK_THROWS_AS(with(-1.0), std::invalid_argument);
@@ -123,7 +121,7 @@ TEST_CASE(
     "centre of mass",
     "[exact][energy]") {
   Random random(34);
-  World world = test::ground_world();
+  World world = ground_world();
   world.add(fixed_box_properties(Vec3::Ones()), BodyState{});
   double mass = 0.0;
   for (int i = 0; i < 5; ++i) {
@@ -153,7 +151,7 @@ TEST_CASE(
 
 TEST_CASE("Potential energy is m g times the height, and immovable bodies have none",
           "[unit][energy]") {
-  World world = test::ground_world();
+  World world = ground_world();
   world.add(fixed_box_properties(Vec3::Ones()), Vec3(0.0, 5.0, 0.0));
   CHECK(energy_of(world).total() == 0.0);
   world.add(box_properties(Vec3::Ones(), 2.0), Vec3(1.0, 3.0, 1.0), Quat::Identity(),

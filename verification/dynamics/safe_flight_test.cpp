@@ -6,8 +6,6 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 // Two boxes of chance, or a box and the ground, in flight.

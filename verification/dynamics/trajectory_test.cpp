@@ -7,13 +7,11 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 // A technique that is no more than flight, with a memory: it counts its steps and turns the wind
 // by them. It reports one event per step to its observer.
-class Drift : public Technique {
+class Drift : public Cloned<Technique, Drift> {
  public:
   [[nodiscard]] std::string_view name() const override { return "drift"; }
   StepReport step(World& world, double dt) override {
@@ -31,9 +29,6 @@ class Drift : public Technique {
       observer()->on_step(world, report);
     }
     return report;
-  }
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override {
-    return std::make_unique<Drift>(*this);
   }
 
  private:

@@ -7,14 +7,12 @@
 
 #include <cstring>
 
-using namespace tumble;
-
 namespace {
 
 BodyProperties cube() { return box_properties(Vec3::Ones(), 1.0); }
 
 World three_cubes() {
-  World world = test::ground_world();
+  World world = ground_world();
   for (int i = 0; i < 3; ++i) world.add(cube(), Vec3(2.0 * i, 0.5, 0.0));
   return world;
 }
@@ -45,8 +43,7 @@ TEST_CASE("Over random additions and removals ids ascend, are never reused and f
     mistakes += world.count() == static_cast<int>(expected.size()) ? 0 : 1;
     for (const auto& alive : expected) {
       const int i = world.index_of(alive.first);
-      mistakes +=
-          world.states()[static_cast<std::size_t>(i)].position_w.x() == alive.second ? 0 : 1;
+      mistakes += world.states()[idx(i)].position_w.x() == alive.second ? 0 : 1;
       mistakes += world.find(world.name(i)) == alive.first ? 0 : 1;
     }
   }

@@ -69,7 +69,6 @@ inline std::string text_of(const GluedOptions& options) {
 }
 
 // Three boxes of different sizes and masses, glued to each other in free flight and tumbling as one.
-// gravity_w: [m/s²]
 inline World flying_group(const Vec3& gravity_w) {
   World world;
   world.gravity_w = gravity_w;

@@ -6,7 +6,6 @@
 #include "exterior_rotation/falling_column.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 TEST_CASE("The falling column's angle has the tabulated values of its elliptic function",
@@ -65,7 +64,7 @@ TEST_CASE("The world of the column begins at the angle and the spin that were as
     CHECK(centre_angle(world) == near(0.25, 1e-14));
     CHECK(column_gap(world) == near(0.0, 1e-14));
     const int first = world.index_of(*world.find("box1"));
-    const BodyState& state = world.states()[static_cast<std::size_t>(first)];
+    const BodyState& state = world.states()[idx(first)];
     // The lowest cube turns about its edge, half a diagonal from its centre.
     CHECK((state.position_w - column_pivot()).norm() == near(std::sqrt(0.5), 1e-14));
     CHECK(state.linear_momentum_w.norm() == near(1.5 * std::sqrt(0.5), 1e-14));

@@ -6,7 +6,6 @@
 #include "exterior_rotation/geometric_contacts.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
@@ -55,7 +54,7 @@ TEST_CASE("A corner touches up to the tolerance, and deeper than it overlaps",
   const ContactSet tilted = seen(0.0, 1e-5);
   int left = 0;
   for (int k = 0; k < joint.count; ++k)
-    if (joint.corners_first_b[static_cast<std::size_t>(k)].x() < 0.0) left |= 1 << k;
+    if (joint.corners_first_b[idx(k)].x() < 0.0) left |= 1 << k;
   CHECK(tilted.touching == left);
 }
 

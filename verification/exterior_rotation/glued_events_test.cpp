@@ -7,9 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // The angle of the column's centre, from the vertical, about the pivot.
 double centre_angle(const World& world) {
   Vec3 centre_w = Vec3::Zero();

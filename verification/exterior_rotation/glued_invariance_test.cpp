@@ -6,9 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // The scenes in a plane, and one in which three axes take part.
 std::vector<World> worlds() {
   World group = flying_group(Vec3(0.0, -9.81, 0.0));

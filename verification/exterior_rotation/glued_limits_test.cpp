@@ -7,9 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 World glued_pair(double spin) {
   World world = weightless_world();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);

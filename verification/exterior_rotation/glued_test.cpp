@@ -5,9 +5,6 @@
 #include "exterior_rotation/cases.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 TEST_CASE("Finding the joints before the first step changes nothing", "[unit][exterior_rotation]") {
   for (const char* spin : {"0", "2"})
     for (const GluedEvents events : {GluedEvents::located, GluedEvents::step_end}) {

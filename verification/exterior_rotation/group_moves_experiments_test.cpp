@@ -2,14 +2,12 @@
 /// \brief Ways to move the bodies of a group, written out, and the best frame for one.
 #include "tumble/exterior_rotation/glued.hpp"
 
-#include "driver/common_numbers.hpp"
 #include "driver/played_scene.hpp"
 #include "driver/statistics.hpp"
 #include "exterior_rotation/best_frame.hpp"
 #include "exterior_rotation/glued_runs.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {

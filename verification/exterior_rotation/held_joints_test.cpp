@@ -8,13 +8,9 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // Two boxes in flight without gravity, joined where they touch.
 Simulation flying_pair(JointKind kind) {
-  Scene scene;
-  scene.gravity_w.setZero();
+  Scene scene{.gravity_w = Vec3::Zero()};
   SceneBox a{.name = "a",
              .size = Vec3(1.0, 0.4, 0.6),
              .mass = 2.0,

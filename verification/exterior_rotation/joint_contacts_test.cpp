@@ -10,9 +10,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 const std::vector<std::string> kCollide = {"contacts=collide"};
 
 SceneBox cube_at(const std::string& name, const Vec3& position_w, double mass = 1.0) {
@@ -49,8 +46,7 @@ TEST_CASE("A chain that lies on the ground presses on it with its weight", "[exa
 TEST_CASE("A box that hits a rod on a hinge gives it the spin of the closed form",
           "[exact][joints]") {
   for (const double restitution : {0.0, 0.5}) {
-    Scene scene;
-    scene.gravity_w.setZero();
+    Scene scene{.gravity_w = Vec3::Zero()};
     SceneBox rod = cube_at("rod", Vec3(0.0, -1.0, 0.0), 3.0);
     rod.size = Vec3(0.2, 2.0, 0.2);
     SceneBox post = cube_at("post", Vec3(0.0, 0.5, 0.0));

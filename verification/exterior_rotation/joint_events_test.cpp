@@ -8,9 +8,6 @@
 #include "exterior_rotation/cases.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 // A cube of 2 kg and half a metre that stands on a fixed box, its centre this far to the right of the

@@ -10,9 +10,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // Joint forces of a world at rest, with the joints found at its start.
 struct Held {
   explicit Held(const World& world) : Held(world, find_joints(world, tolerance::glue_margin)) {}

@@ -6,13 +6,6 @@
 #include "support/dense_solve.hpp"
 #include "support/test.hpp"
 
-namespace {
-
-using namespace tumble;
-using namespace tumble::test;
-
-}  // namespace
-
 TEST_CASE("Joints of all kinds give the accelerations of a dense solve", "[exact][joints]") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     Random chance(seed);
@@ -30,7 +23,7 @@ TEST_CASE("Joints of all kinds give the accelerations of a dense solve", "[exact
       const JointKind kind = joint_kinds()[static_cast<std::size_t>(chance.uniform(0.0, 2.999))];
       const Vec3 anchor_w = chance.in_cube(2.0);
       const Vec3 axis_w = chance.in_cube(1.0);
-      world.join(kind, world.ids()[static_cast<std::size_t>(parent)], id, anchor_w,
+      world.join(kind, world.ids()[idx(parent)], id, anchor_w,
                  kind == JointKind::hinge ? axis_w : Vec3(Vec3::Zero()));
     }
     // J of all joints at rest, and J a = 0 with M a = f + J' λ.
@@ -38,7 +31,7 @@ TEST_CASE("Joints of all kinds give the accelerations of a dense solve", "[exact
     Eigen::Index row = 0;
     for (const BodyJoint& joint : world.joints()) {
       const int a = world.index_of(joint.bodies[0]), b = world.index_of(joint.bodies[1]);
-      const BodyState& sa = world.states()[static_cast<std::size_t>(a)];
+      const BodyState& sa = world.states()[idx(a)];
       const BodyState& sb = world.states()[static_cast<std::size_t>(b)];
       const Mat3 arm_a = cross_matrix(sa.orientation_wb * joint.anchors_b[0]);
       const Mat3 arm_b = cross_matrix(sb.orientation_wb * joint.anchors_b[1]);
@@ -61,11 +54,10 @@ TEST_CASE("Joints of all kinds give the accelerations of a dense solve", "[exact
     VecX f = VecX::Zero(6 * kBodies);
     std::vector<MovingBody> moving = moving_bodies(world);
     for (int k = 0; k < kBodies; ++k) {
-      const MovingBody& m = moving[static_cast<std::size_t>(k)];
+      const MovingBody& m = moving[idx(k)];
       W.block<3, 3>(6 * k, 6 * k) = m.inverse_mass.asDiagonal();
       W.block<3, 3>(6 * k + 3, 6 * k + 3) = m.inverse_inertia_w;
-      if (k > 0)
-        f.segment<3>(6 * k) = world.bodies()[static_cast<std::size_t>(k)].mass * world.gravity_w;
+      if (k > 0) f.segment<3>(6 * k) = world.bodies()[idx(k)].mass * world.gravity_w;
     }
     const MatX JW = product(J, W);
     const VecX force = dense_solve(product(JW, J.transpose()), -product(JW, f));
@@ -78,8 +70,8 @@ TEST_CASE("Joints of all kinds give the accelerations of a dense solve", "[exact
     const double scale = exact.cwiseAbs().maxCoeff();
     CAPTURE(seed);
     for (int k = 1; k < kBodies; ++k) {
-      const MovingBody& m = moving[static_cast<std::size_t>(k)];
-      const Wrench& push = rates[static_cast<std::size_t>(k)];
+      const MovingBody& m = moving[idx(k)];
+      const Wrench& push = rates[idx(k)];
       CHECK((m.inverse_mass.cwiseProduct(push.force_w) - exact.segment<3>(6 * k)).norm() <
             1e-10 * scale);
       CHECK((m.inverse_inertia_w * push.torque_w - exact.segment<3>(6 * k + 3)).norm() <
@@ -98,7 +90,7 @@ TEST_CASE("Balls and hinges in motion give Featherstone's accelerations", "[refe
     std::vector<Vec3> spin_w{Vec3::Zero()}, speed_w{Vec3::Zero()};
     for (int k = 1; k <= 20; ++k) {
       const int parent = k == 1 ? 0 : 1 + (k - 2) / children;
-      const auto p = static_cast<std::size_t>(parent);
+      const auto p = idx(parent);
       const BodyState& on = world.states()[p];
       const Vec3 anchor_w = on.position_w + on.orientation_wb * chance.in_cube(0.5);
       const Quat turn = chance.orientation();

@@ -10,9 +10,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // Two boxes: an immovable cube at the origin, and a rotated one above it.
 World two(const Vec3& size, const Vec3& place_w, const Quat& turn) {
   World world;
@@ -103,7 +100,7 @@ TEST_CASE("A joint keeps its corners in the frames of both bodies wherever the w
     Vec3 low = Vec3::Constant(9.0);
     Vec3 high = Vec3::Constant(-9.0);
     for (int k = 0; k < joint.count; ++k) {
-      const Vec3& corner_b = joint.corners_first_b[static_cast<std::size_t>(k)];
+      const Vec3& corner_b = joint.corners_first_b[idx(k)];
       low = low.cwiseMin(corner_b);
       high = high.cwiseMax(corner_b);
     }

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Figures 6.1 to 6.3: what opens, by how much in a step, and one twist for each body, which keeps groups together.
-#include "driver/common_numbers.hpp"
 #include "driver/played_scene.hpp"
 #include "exterior_rotation/falling_column.hpp"
 #include "exterior_rotation/glued_runs.hpp"
@@ -10,7 +9,6 @@
 #include "exterior_rotation/side_view.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
@@ -62,7 +60,7 @@ TEST_CASE("The nested boxes of figure 6.3 move as a double pendulum",
   const World start = nested_start();
   const HeldRun run = run_held(start, options_of(film_schemes()[5]), kStep, 36);
   for (const int k : {6, 18, 36}) {
-    const HeldFrame& frame = run.frames[static_cast<std::size_t>(k)];
+    const HeldFrame& frame = run.frames[idx(k)];
     const NestedAngles found = nested_angles(run.world(frame));
     const NestedAngles judged = nested_pendulum(start, frame.time);
     CHECK(found.lower == near(judged.lower, 1e-11));

@@ -9,9 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 constexpr std::size_t kMost = ButcherTable::kMostStages;
 using Column = std::array<double, kMost>;
 

@@ -9,9 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 constexpr std::array kSchemes = {SimpleScheme::forward_euler, SimpleScheme::semi_implicit,
                                  SimpleScheme::impulse, SimpleScheme::leapfrog};
 

@@ -8,7 +8,6 @@
 #include "exterior_rotation/falling_column.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {

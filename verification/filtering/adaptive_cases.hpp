@@ -29,7 +29,6 @@ inline World clump(int per_edge) {
 }
 
 // A cube of 0.2 m and 1 kg, 5 m above the origin.
-// velocity_w: [m/s]
 // spin_w: [rad/s]
 inline World one_cube(const Vec3& velocity_w, const Vec3& spin_w = Vec3::Zero()) {
   World world;

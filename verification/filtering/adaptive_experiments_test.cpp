@@ -1,18 +1,13 @@
 /// \file
 /// \brief Adaptive steps against fixed ones: the measure of rest, and the findings (claim 6.3.1b).
 
-#include "tumble/dynamics/step_report.hpp"
-
 #include "driver/quick.hpp"
 #include "filtering/adaptive_runs.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
-
-constexpr double kFrame = 1.0 / 60.0;  // [s]
 
 // Four cubes for two seconds, the last of them watched: one at rest; one that shakes by 2 mm in every
 // other frame; one that creeps at 3 cm/s for a second; one that creeps to the end.

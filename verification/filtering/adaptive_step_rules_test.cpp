@@ -5,13 +5,12 @@
 #include "filtering/adaptive_cases.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::adaptive_cases;
 
 namespace {
 
 // Performs a prescribed change and reports contacts of some bodies with the ground, the last body.
-class Scripted : public Technique {
+class Scripted : public Cloned<Technique, Scripted> {
  public:
   // Changes a world in the sub-step of this number, from 0; returns the bodies on the ground.
   using Script = std::function<std::vector<int>(World&, int, StepReport&)>;
@@ -22,14 +21,11 @@ class Scripted : public Technique {
     contacts_.clear();
     for (const int body : script_(world, done_++, report)) {
       contacts_.emplace_back();
-      contacts_.back().first = world.ids()[static_cast<std::size_t>(body)];
+      contacts_.back().first = world.ids()[idx(body)];
       contacts_.back().second = world.ids().back();
     }
     world.finish_step(dt);
     return report;
-  }
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override {
-    return std::make_unique<Scripted>(*this);
   }
   [[nodiscard]] std::span<const ContactRecord> contacts() const override { return contacts_; }
 

@@ -8,7 +8,6 @@
 #include "filtering/adaptive_cases.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::adaptive_cases;
 
 namespace {
@@ -22,7 +21,7 @@ bool same(const StepReport& a, const StepReport& b) {
 }
 
 // Ends with a prescribed status after a number of steps.
-class Failing : public Technique {
+class Failing : public Cloned<Technique, Failing> {
  public:
   Failing(int good, StepStatus status) : good_(good), status_(status) {}
   [[nodiscard]] std::string_view name() const override { return "failing"; }
@@ -36,9 +35,6 @@ class Failing : public Technique {
     }
     world.finish_step(dt);
     return report;
-  }
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override {
-    return std::make_unique<Failing>(*this);
   }
 
  private:

@@ -2,14 +2,12 @@
 /// \brief The figures on the box filter (claims 5.5a and 5.5b, erratum P13), and what they measure with.
 
 #include "tumble/filtering/box_filter.hpp"
-#include "tumble/record/overlap.hpp"
 
 #include "driver/quick.hpp"
 #include "driver/statistics.hpp"
 #include "filtering/shown_clump.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {

@@ -9,7 +9,6 @@
 
 namespace {
 
-using namespace tumble;
 using namespace one_body;
 
 constexpr std::array<int, 8> kWidths = {1, 3, 5, 7, 9, 11, 13, 15};

@@ -8,9 +8,6 @@
 
 namespace {
 
-using namespace tumble;
-
-constexpr double kFrame = 1.0 / 60.0;  // [s]
 constexpr double kPi = std::numbers::pi;
 
 using Pose = std::function<BodyState(int frame)>;

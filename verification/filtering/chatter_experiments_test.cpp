@@ -7,7 +7,6 @@
 #include "filtering/chatter_run.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {

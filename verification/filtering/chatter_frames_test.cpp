@@ -5,14 +5,6 @@
 #include "support/allocation_counter.hpp"
 #include "support/test.hpp"
 
-namespace {
-
-using namespace tumble;
-
-constexpr double kFrame = 1.0 / 60.0;  // [s]
-
-}  // namespace
-
 TEST_CASE("Half as long steps show a detector the same frames", "[exact][filtering]") {
   const auto noise = [](int k) {
     Random chance = Random(2).fork(static_cast<std::uint64_t>(k));

@@ -5,7 +5,6 @@
 #include "filtering/one_body.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace one_body;
 
 namespace {
@@ -139,8 +138,7 @@ TEST_CASE("Squirm is that of the corner that moves most", "[exact][filtering]") 
 TEST_CASE("Pops are shown steps that are longer than computed ones and than a given length",
           "[exact][filtering]") {
   const auto path = [](const std::vector<double>& x) {
-    return along_x(static_cast<int>(x.size()),
-                   [&](int n) { return x[static_cast<std::size_t>(n)]; });
+    return along_x(static_cast<int>(x.size()), [&](int n) { return x[idx(n)]; });
   };
   const auto computed = path({0.0, 0.004, 0.008, 0.012, 0.016, 0.046, 0.046});
   //                                 waits, waits,  pops,  creeps, as fast, too short

@@ -4,7 +4,6 @@
 #include "filtering/motion_corpus.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 TEST_CASE(

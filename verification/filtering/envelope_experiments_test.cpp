@@ -3,7 +3,6 @@
 #include "driver/quick.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {

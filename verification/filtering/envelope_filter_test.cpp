@@ -5,7 +5,6 @@
 #include "filtering/one_body.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace one_body;
 
 namespace {
@@ -80,8 +79,7 @@ TEST_CASE("Position and orientation leave the envelope together, whichever of th
                                         both(0.011, 0.5 * kAngle), both(0.012, 0.1 * kAngle),
                                         both(0.013, -0.6 * kAngle)};
   const std::vector<std::size_t> expected = {0, 0, 2, 2, 4};
-  const Trajectory shown =
-      shown_of(run_of(5, [&](int n) { return poses[static_cast<std::size_t>(n)]; }));
+  const Trajectory shown = shown_of(run_of(5, [&](int n) { return poses[idx(n)]; }));
   for (std::size_t n = 0; n < poses.size(); ++n)
     CHECK(same_pose(body_in(shown, static_cast<int>(n)), poses[expected[n]]));
 }

@@ -9,7 +9,6 @@
 #include "filtering/one_body.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace one_body;
 
 namespace {

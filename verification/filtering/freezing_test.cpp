@@ -12,9 +12,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 World clump(int per_edge) { return world_of("fig6_7", {{"per_edge", std::to_string(per_edge)}}); }
 
 std::unique_ptr<Technique> damped(bool sleeping) {

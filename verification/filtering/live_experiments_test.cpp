@@ -7,12 +7,9 @@
 #include "filtering/live_runs.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
-
-constexpr double kFrame = kStep;  // [s]
 
 double delay(const char* filter, double speed) {
   return steady_delay(speed, 960, *filter_of(filter));

@@ -1,15 +1,11 @@
 /// \file
 /// \brief Filters on whole runs, in pieces and live: the same bits, with bodies added and removed.
-#include "tumble/dynamics/step_report.hpp"
 #include "tumble/filtering/filters.hpp"
 
 #include "support/test.hpp"
 
 namespace {
 
-using namespace tumble;
-
-constexpr double kInterval = 1.0 / 60.0;  // [s] between frames
 constexpr std::array<const char*, 9> kFilters = {
     "box:1",        "box:3",         "box:5",    "box:15",
     "box:5,causal", "box:15,causal", "envelope", "envelope:2mm,5deg",
@@ -46,7 +42,7 @@ class Wanderers {
     if (chance_.below(12) == 0 && world.count() > 0)
       world.remove(world.ids()[chance_.below(static_cast<std::uint32_t>(world.count()))]);
     for (int k = 0; k < world.count(); ++k) {
-      BodyState state = world.states()[static_cast<std::size_t>(k)];
+      BodyState state = world.states()[idx(k)];
       constexpr std::array<double, 5> sizes = {0.0, 0.0, 1e-3, 1e-2, 0.3};  // [m] and [rad]
       const double size = sizes[chance_.below(5)];
       state.position_w += chance_.in_cube(size);
@@ -55,9 +51,9 @@ class Wanderers {
         state.orientation_wb =
             normalised(rotation_from_vector(chance_.in_cube(5.0 * size)) * state.orientation_wb);
       if (chance_.below(4) == 0) state.orientation_wb.coeffs() *= -1.0;
-      world.set_state(world.ids()[static_cast<std::size_t>(k)], state);
+      world.set_state(world.ids()[idx(k)], state);
     }
-    world.finish_step(kInterval);
+    world.finish_step(kFrame);
   }
 
   World world;

@@ -6,8 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
 // By brute force: all choices of reversal points, for a swing along x.
 double swing_by_trying(const std::vector<double>& u, std::size_t from, int parts, double sense) {
   if (parts == 0) return kInfinity;

@@ -4,7 +4,6 @@
 #include "filtering/spectrum.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {

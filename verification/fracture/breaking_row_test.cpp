@@ -8,10 +8,6 @@
 
 namespace {
 
-using namespace tumble;
-
-constexpr double kStep = 1.0 / 60.0;
-
 RowOptions plank(RowRule rule = RowRule::stress) {
   return RowOptions{.density = 2500.0, .strength = 1e6, .rule = rule};
 }
@@ -37,14 +33,14 @@ double mass_of(const World& world) {
 TEST_CASE("A row of glued boxes carries the bending moments of a beam", "[exact][breaking_row]") {
   // Free, pushed up at both ends and down in the middle: the moment of the pushes less that of the row's own mass, which
   // does not accelerate.
-  World world = test::weightless_world();
+  World world = weightless_world();
   BreakingRow row(world, plank(), Vec3::Zero());
   ContactDamped technique;
   const double force = 10.0;
-  row.push(world, Vec3(0.0, 0.5 * force * kStep, 0.0), 0.0);
-  row.push(world, Vec3(0.0, 0.5 * force * kStep, 0.0), 1.0);
-  row.push(world, Vec3(0.0, -force * kStep, 0.0), 0.5);
-  CHECK(row.step(world, technique, kStep).events == 0);
+  row.push(world, Vec3(0.0, 0.5 * force * kFrame, 0.0), 0.0);
+  row.push(world, Vec3(0.0, 0.5 * force * kFrame, 0.0), 1.0);
+  row.push(world, Vec3(0.0, -force * kFrame, 0.0), 0.5);
+  CHECK(row.step(world, technique, kFrame).events == 0);
   REQUIRE(row.loads().size() == 39);
   for (const JointLoad& load : row.loads()) {
     const double x = (load.joint + 1) / 40.0;
@@ -62,11 +58,11 @@ TEST_CASE("A row that falls freely or spins slowly carries nothing but its centr
   World world;
   BreakingRow row(world, plank(), Vec3::Zero());
   ContactDamped technique;
-  row.step(world, technique, kStep);
+  row.step(world, technique, kFrame);
   for (const JointLoad& load : row.loads()) CHECK(load.share < 1e-9);
   const double spin = 2.0;  // [rad/s] about z
   world.set_velocity(row.pieces()[0].body, Vec3::Zero(), Vec3(0.0, 0.0, spin));
-  row.step(world, technique, kStep);
+  row.step(world, technique, kFrame);
   // ρ ω² L²/8 in the middle
   const double tension = 2500.0 * spin * spin / 8.0;
   CHECK(row.loads()[19].share == near(tension / 1e6, 1e-9));
@@ -75,17 +71,17 @@ TEST_CASE("A row that falls freely or spins slowly carries nothing but its centr
 TEST_CASE("A row of glued boxes breaks where the moment is largest, and keeps mass and momenta",
           "[exact][breaking_row]") {
   for (const RowRule rule : {RowRule::stress, RowRule::force}) {
-    World world = test::weightless_world();
+    World world = weightless_world();
     BreakingRow row(world, plank(rule), Vec3(0.2, 0.3, 0.4), Vec3(1.0, 2.0, 3.0));
     world.set_velocity(row.pieces()[0].body, Vec3(1.0, 2.0, 3.0), Vec3(0.1, 0.2, 0.3));
     const double mass = mass_of(world);
     ContactDamped technique;
     const double force = rule == RowRule::stress ? 200.0 : 20000.0;
-    row.push(world, Vec3(0.0, 0.5 * force * kStep, 0.0), 0.0);
-    row.push(world, Vec3(0.0, 0.5 * force * kStep, 0.0), 1.0);
-    row.push(world, Vec3(0.0, -force * kStep, 0.0), 0.5);
+    row.push(world, Vec3(0.0, 0.5 * force * kFrame, 0.0), 0.0);
+    row.push(world, Vec3(0.0, 0.5 * force * kFrame, 0.0), 1.0);
+    row.push(world, Vec3(0.0, -force * kFrame, 0.0), 0.5);
     const std::array<Vec3, 2> before = momenta_of(world);
-    CHECK(row.step(world, technique, kStep).events == 1);
+    CHECK(row.step(world, technique, kFrame).events == 1);
     REQUIRE(row.pieces().size() == 2);
     CHECK(row.pieces()[0].count + row.pieces()[1].count == 40);
     if (rule == RowRule::stress) CHECK(row.pieces()[0].count == 20);

@@ -9,8 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-
 const ElasticMaterial kRubber = elastic_material(1e6, 0.3, 1000.0, 1e5);
 
 // Positions are a linear function of those at rest.
@@ -211,7 +209,7 @@ TEST_CASE("A bar that is fixed at one end swings with the frequency of a wave in
       node.position_w.x() += 1e-4 * elementary::sin(0.5 * std::numbers::pi * x / length);
       if (x < 1e-9) node.moves.setZero();
     }
-    World none = test::weightless_world();
+    World none = weightless_world();
     Fracture bar(mesh, none, 0.01);
     // The tip passes its place at rest after a quarter of the period.
     const std::size_t tip = mesh.nodes.size() - 1;
@@ -235,7 +233,7 @@ TEST_CASE("A bar swings for a hundred periods with its energy at nine tenths of 
   ElasticMesh mesh = elastic_box(Vec3(1.0, 0.1, 0.1), {8, 1, 1}, kRubber);
   mesh.material.strength = 1e9;
   for (ElasticNode& node : mesh.nodes) node.velocity_w.x() = 0.1 * node.rest.x();
-  World none = test::weightless_world();
+  World none = weightless_world();
   Fracture bar(mesh, none, 0.01);
   const double start = mesh.kinetic_energy();
   double most = 0.0, least = start;
@@ -426,7 +424,7 @@ TEST_CASE("Pieces that meet push each other and keep both momenta", "[exact][fra
     for (int& element : star) element += elements;
     mesh.star.push_back(star);
   }
-  World none = test::weightless_world();
+  World none = weightless_world();
   const Vec3 momentum = mesh.momentum_w(), spin = spin_of(mesh);
   const double energy = mesh.kinetic_energy();
   Fracture both(mesh, none, 0.001);
@@ -444,7 +442,7 @@ TEST_CASE("Pieces that meet push each other and keep both momenta", "[exact][fra
 TEST_CASE("A movable box that meets the body keeps the momentum of both", "[exact][fracture]") {
   ElasticMesh mesh = elastic_box(Vec3(0.1, 0.4, 0.4), {1, 3, 3}, kRubber);
   mesh.material.strength = 1e9;
-  World around = test::weightless_world();
+  World around = weightless_world();
   around.add(box_properties(Vec3::Constant(0.2), 5.0), Vec3(-0.2, 0.02, 0.0), Quat::Identity(),
              Vec3(2.0, 0.0, 0.0));
   Fracture wall(mesh, around, 0.001);

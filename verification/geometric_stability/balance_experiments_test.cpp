@@ -1,12 +1,10 @@
 /// \file
 /// \brief Figures 6.4 and 6.5, claim 6.3.1d, and boxes that slide off their support (claim 5.4d).
 #include "driver/quick.hpp"
-#include "geometric_stability/heavy_top_experiments.hpp"
+#include "geometric_stability/balance_limits.hpp"
 #include "geometric_stability/sliding_run.hpp"
-#include "geometric_stability/tower_experiments.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {
@@ -91,14 +89,14 @@ TEST_CASE(
   const SlideRun damped = slide({.slider = Slider::analytic_damping, .offset = -0.4, .speed = 8.0});
   REQUIRE(damped.leaves > 3);
   for (int k = 0; k < damped.leaves; ++k) {
-    CHECK(damped.steps[static_cast<std::size_t>(k)].counted_stable);
-    CHECK(damped.steps[static_cast<std::size_t>(k)].slowed);
+    CHECK(damped.steps[idx(k)].counted_stable);
+    CHECK(damped.steps[idx(k)].slowed);
   }
   CHECK_FALSE(damped.steps[static_cast<std::size_t>(damped.leaves) + 1].counted_stable);
   const SlideRun free = slide({.slider = Slider::analytic_free, .offset = -0.4, .speed = 8.0});
   for (int k = 0; k < free.leaves; ++k) {
-    CHECK(free.steps[static_cast<std::size_t>(k)].counted_stable);
-    CHECK_FALSE(free.steps[static_cast<std::size_t>(k)].slowed);
+    CHECK(free.steps[idx(k)].counted_stable);
+    CHECK_FALSE(free.steps[idx(k)].slowed);
   }
 }
 

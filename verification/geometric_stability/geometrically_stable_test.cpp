@@ -9,10 +9,8 @@
 
 namespace {
 
-using namespace tumble;
-
-struct Pile : test::Pile {
-  Pile() {
+struct StablePile : Pile {
+  StablePile() {
     margin = tolerance::stability_margin;
     world.add_ground();
   }
@@ -38,7 +36,7 @@ struct Pile : test::Pile {
 
 TEST_CASE("A wall that is touched stays immovable, and what stands on it stable",
           "[exact][geometric_stability]") {
-  Pile pile;
+  StablePile pile;
   pile.add_fixed(Vec3(0.0, 1.0, 0.0), Vec3(1.0, 2.0, 1.0));
   pile.add(Vec3(1.0, 0.5, 0.0));  // touches its side
   pile.add(Vec3(0.0, 2.5, 0.0));
@@ -47,7 +45,7 @@ TEST_CASE("A wall that is touched stays immovable, and what stands on it stable"
 
 TEST_CASE("One unstable support makes the whole box unstable, in any order",
           "[exact][geometric_stability]") {
-  Pile pile;
+  StablePile pile;
   pile.add_fixed(Vec3(-1.5, 0.5, 0.0), Vec3::Ones());
   pile.add_fixed(Vec3(1.5, 0.5, 0.0), Vec3::Ones());
   pile.add(Vec3(0.0, 0.5, 0.0));
@@ -55,7 +53,7 @@ TEST_CASE("One unstable support makes the whole box unstable, in any order",
   pile.add(Vec3(0.0, 1.1, 0.0), Vec3(4.0, 0.2, 1.0));   // the plank
   CHECK(pile.both() == "000");
   // Without the loose one the plank is stable.
-  Pile clear;
+  StablePile clear;
   clear.add_fixed(Vec3(-1.5, 0.5, 0.0), Vec3::Ones());
   clear.add_fixed(Vec3(1.5, 0.5, 0.0), Vec3::Ones());
   clear.add(Vec3(0.0, 1.1, 0.0), Vec3(4.0, 0.2, 1.0));
@@ -67,7 +65,7 @@ TEST_CASE("The set of stable bodies does not depend on the order of contacts",
   Random random(9);
   int stable = 0;
   for (int trial = 0; trial < 200; ++trial) {
-    Pile pile;
+    StablePile pile;
     // Boxes of few sizes at few places: many share heights, sides and corners.
     for (int k = 0; k < 12; ++k) {
       const double width = 0.5 * (1 + random.below(3));
@@ -87,7 +85,7 @@ TEST_CASE("The set of stable bodies does not depend on the order of contacts",
 }
 
 TEST_CASE("A rising body is not stable", "[exact][geometric_stability]") {
-  Pile pile;
+  StablePile pile;
   pile.add(Vec3(0.0, 0.5, 0.0));
   pile.world.states()[1].linear_momentum_w.y() = 0.1;  // the limit is 0.02 sqrt(9.81) = 0.063
   CHECK(pile.both() == "0");
@@ -98,7 +96,7 @@ TEST_CASE("A rising body is not stable", "[exact][geometric_stability]") {
 TEST_CASE("A tilt by a twentieth of a degree does not matter, three degrees do",
           "[unit][geometric_stability]") {
   for (const double degrees : {0.0, 0.05, 3.0}) {
-    Pile pile;
+    StablePile pile;
     pile.add(Vec3(0.0, 0.5 + 1e-3, 0.0), Vec3::Ones(), 1.0, 0.0,
              rotation_from_degrees(Vec3(0.0, 20.0, degrees)));
     CHECK(pile.both() == (degrees < 1.0 ? "1" : "0"));
@@ -107,14 +105,14 @@ TEST_CASE("A tilt by a twentieth of a degree does not matter, three degrees do",
 
 TEST_CASE("A verdict names the reason against a body: motion, a side, a support, a corner",
           "[exact][geometric_stability]") {
-  Pile pile;
+  StablePile pile;
   const int firm = pile.add(Vec3(0.0, 0.5, 0.0));
   const int beside = pile.add(Vec3(3.0, 0.5, 0.0));
   const int neighbour = pile.add(Vec3(4.0, 0.5, 0.0));
   const int on_it = pile.add(Vec3(3.0, 1.5, 0.0), Vec3(0.5, 1.0, 0.5));
   const int over = pile.add(Vec3(0.25, 1.5, 0.125));
   const int rising = pile.add(Vec3(8.0, 0.5, 0.0));
-  pile.world.states()[static_cast<std::size_t>(rising)].linear_momentum_w.y() = 1.0;
+  pile.world.states()[idx(rising)].linear_momentum_w.y() = 1.0;
   pile.gather();
   std::vector<char> stable;
   GeometricStability stability;
@@ -129,7 +127,7 @@ TEST_CASE("A verdict names the reason against a body: motion, a side, a support,
       return std::vector<int>{contact.first, contact.second};
     };
     for (int body = 0; body < pile.world.count(); ++body)
-      CHECK(verdict(body).stable() == (stable[static_cast<std::size_t>(body)] != 0));
+      CHECK(verdict(body).stable() == (stable[idx(body)] != 0));
     CHECK(verdict(0).reason == StabilityReason::immovable);
     CHECK(words(0) == "immovable");
     CHECK(verdict(firm).reason == StabilityReason::supported);
@@ -155,7 +153,7 @@ TEST_CASE("A verdict names the reason against a body: motion, a side, a support,
 TEST_CASE("A prism is judged by the hull under its own outline, and never by four corners",
           "[exact][geometric_stability]") {
   // A triangular prism on three posts; its body is the box around it.
-  Pile pile;
+  StablePile pile;
   const std::vector<Vec2> triangle{{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}};
   for (const Vec2& corner : triangle)
     pile.add_fixed(Vec3(corner.x(), 0.5, corner.y()), Vec3(0.4, 1.0, 0.4));
@@ -163,7 +161,7 @@ TEST_CASE("A prism is judged by the hull under its own outline, and never by fou
   const int prism = pile.add(Vec3(0.0, 1.5, 0.0), Vec3(2.0, 1.0, 2.0));
   for (int post = 0; post < 3; ++post) {
     Contact contact{.first = post + 1, .second = prism, .count = 1};
-    const Vec2& corner = triangle[static_cast<std::size_t>(post)];
+    const Vec2& corner = triangle[idx(post)];
     contact.points[0].position_w = Vec3(corner.x(), 1.0, corner.y());
     pile.contacts.push_back(contact);
   }
@@ -194,7 +192,7 @@ TEST_CASE(
     "Where motion counts, a body that sinks, tips or rocks is not steady, and one that slides is",
     "[exact][geometric_stability]") {
   const auto stable_with = [](const Vec3& momentum_w, const Vec3& angular_w, double steady) {
-    Pile pile;
+    StablePile pile;
     pile.add(Vec3(0.0, 0.5, 0.0));
     pile.world.states()[1].linear_momentum_w = momentum_w;
     pile.world.states()[1].angular_momentum_w = angular_w;
@@ -222,7 +220,7 @@ TEST_CASE(
 
 TEST_CASE("Without weight a resting box is stable as long as speeds are not tested",
           "[exact][geometric_stability]") {
-  Pile pile;
+  StablePile pile;
   pile.add(Vec3(0.0, 0.5, 0.0));
   pile.world.gravity_w = Vec3::Zero();
   pile.gather();

@@ -10,8 +10,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
 using test::Instant;
 using test::kG;
 

@@ -7,7 +7,6 @@
 namespace tumble {
 namespace {
 
-constexpr double kStep = 1.0 / 60.0;
 constexpr std::array kRules = {StableRule::corners, StableRule::hull, StableRule::equilibrium};
 
 int add(World& world, const Vec3& size, double mass, const Vec3& position_w,
@@ -37,7 +36,7 @@ double unbooked(World world, StableRule rule, int steps) {
   double worst = 0.0;
   for (int k = 0; k < steps; ++k) {
     const double before = energy(world);
-    const StepReport report = analytic.step(world, kStep);
+    const StepReport report = analytic.step(world, kFrame);
     const BookedEnergy& e = report.energy;
     const double booked = e.restitution + e.friction + e.damping + e.repair;
     worst = std::max(worst, std::abs(energy(world) - before - booked));
@@ -50,11 +49,11 @@ double unbooked(World world, StableRule rule, int steps) {
 TEST_CASE("The energy that holding stable boxes removes is booked",
           "[exact][geometric_stability]") {
   for (const StableRule rule : kRules) {
-    World heavy = test::ground_world();
+    World heavy = ground_world();
     add(heavy, Vec3::Ones(), 1000.0, Vec3(0.0, 0.5, 0.0), Vec3(0.0, -0.9e-3, 0.0));
     CHECK(unbooked(heavy, rule, 30) < 1e-9);  // [J] of 10 kJ; measured 4e-12
 
-    World sliding = test::ground_world();
+    World sliding = ground_world();
     add(sliding, Vec3(4.0, 1.0, 2.0), 8.0, Vec3(0.0, 0.5, 0.0));
     add(sliding, Vec3::Ones(), 1.0, Vec3(-1.0, 1.5, 0.0), Vec3(0.5, 0.0, 0.0));
     add(sliding, Vec3(0.5, 0.5, 0.5), 0.2, Vec3(-1.0, 2.25, 0.0), Vec3(0.7, 0.0, 0.0));
@@ -65,18 +64,18 @@ TEST_CASE("The energy that holding stable boxes removes is booked",
 TEST_CASE("Boxes that slide along each other or along a wall are not braked by being left out",
           "[exact][geometric_stability]") {
   for (const StableRule rule : kRules) {
-    World world = test::ground_world();
+    World world = ground_world();
     const int first = add(world, Vec3::Ones(), 1.0, Vec3(0.0, 0.5, 0.0), Vec3(0.0, 0.0, 2e-3));
     add(world, Vec3::Ones(), 1.0, Vec3(1.0, 0.5, 0.0), Vec3(0.0, 0.0, 2e-3));
     Analytic analytic = technique(rule);
-    for (int k = 0; k < 60; ++k) analytic.step(world, kStep);
+    for (int k = 0; k < 60; ++k) analytic.step(world, kFrame);
     CHECK(std::abs(world.states()[idx(first)].position_w.z() - 2e-3) < 1e-12);  // [m] free
   }
 }
 
 TEST_CASE("Between boxes that are left out no force of an earlier instant is left",
           "[unit][geometric_stability]") {
-  World world = test::ground_world();
+  World world = ground_world();
   add(world, Vec3::Ones(), 1.0, Vec3(0.0, 0.5, 0.0));
   std::vector<MovingBody> bodies = test::moving_bodies(world);
   ContactList contacts;
@@ -94,12 +93,12 @@ TEST_CASE("Between boxes that are left out no force of an earlier instant is lef
 TEST_CASE("Damping does not brake boxes that have no weight, whichever bodies are left out",
           "[exact][geometric_stability]") {
   for (const StableRule rule : {StableRule::off, StableRule::corners, StableRule::equilibrium}) {
-    World world = test::weightless_world();
+    World world = weightless_world();
     world.add_ground();
     add(world, Vec3(4.0, 1.0, 1.0), 4.0, Vec3(0.0, 0.5, 0.0));
     const int cube = add(world, Vec3::Ones(), 1.0, Vec3(0.0, 1.5, 0.0), Vec3(1.0, 0.0, 0.0));
     Analytic analytic = technique(rule, AnalyticFriction::damping);
-    for (int k = 0; k < 30; ++k) analytic.step(world, kStep);
+    for (int k = 0; k < 30; ++k) analytic.step(world, kFrame);
     CHECK(std::abs(velocity(world.bodies()[idx(cube)], world.states()[idx(cube)]).x() - 1.0) <
           1e-12);
   }
@@ -118,7 +117,7 @@ TEST_CASE("A light box under a heavy one is held only if its support is that muc
     const int light = add(world, Vec3::Ones(), 1.0, 1.0 * up, Vec3::Zero(), turned);
     add(world, Vec3::Ones(), mass, 2.0 * up, Vec3::Zero(), turned);
     Analytic analytic = technique(StableRule::hull);
-    analytic.step(world, kStep);
+    analytic.step(world, kFrame);
     CHECK((analytic.held()[idx(light)] != 0) == (mass == 1.0));
   }
 }
@@ -126,12 +125,12 @@ TEST_CASE("A light box under a heavy one is held only if its support is that muc
 TEST_CASE("A box above a closing gap is not held until the gap has closed",
           "[exact][geometric_stability]") {
   for (const StableRule rule : kRules) {
-    World world = test::ground_world();
+    World world = ground_world();
     const int box = add(world, Vec3::Ones(), 1.0, Vec3(0.0, 0.5 + 5e-5, 0.0));
     Analytic analytic = technique(rule);
-    analytic.step(world, kStep);
+    analytic.step(world, kFrame);
     CHECK(analytic.held()[idx(box)] == 0);
-    for (int k = 0; k < 600; ++k) analytic.step(world, kStep);
+    for (int k = 0; k < 600; ++k) analytic.step(world, kFrame);
     CHECK(world.states()[idx(box)].position_w.y() - 0.5 < 2e-6);  // [m] contact_gap is 1e-6
   }
 }

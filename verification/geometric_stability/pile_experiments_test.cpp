@@ -13,7 +13,6 @@
 #include "geometric_stability/random_piles.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {

@@ -6,9 +6,6 @@
 #include "support/test.hpp"
 #include "support/touching.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 constexpr PrintedStabilityRepairs all{.both_bodies = true,

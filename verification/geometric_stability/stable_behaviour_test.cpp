@@ -7,9 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // A technique that marks stable boxes, and the marks.
 struct Marked {
   std::string words;
@@ -212,7 +209,7 @@ TEST_CASE("A bounce on a stable box is not lost", "[exact][geometric_stability]"
   for (const StableRule rule : {StableRule::corners, StableRule::hull})
     list.emplace_back(damped_by(rule, false, "none"), 1.8 - kGravity * kFrame);
   for (auto& [marked, expected] : list) {
-    World world = test::ground_world(0.0, 0.9);
+    World world = ground_world(0.0, 0.9);
     const BodyId lower = add_box(world, Vec3(0.0, 0.5, 0.0), Vec3::Ones(), 1.0, Vec3::Zero(), 0.9);
     run(marked, world, 3);
     INFO(marked.words);

@@ -7,9 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 constexpr char kFree = static_cast<char>(Hold::free);
 constexpr char kUpright = static_cast<char>(Hold::upright);
 constexpr char kStill = static_cast<char>(Hold::still);

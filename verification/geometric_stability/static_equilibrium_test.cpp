@@ -7,19 +7,16 @@
 
 namespace {
 
-using namespace tumble;
-
-constexpr double kGravity = 9.81;  // [m/s²]
 constexpr double kPi = std::numbers::pi;
 
 // Bodies at rest in contact.
-struct Pile : test::Pile {
+struct WeighedPile : Pile {
   void gather() {
     double longest = 0.0;
     for (const BodyProperties& body : world.bodies())
       if (body.shape == Shape::box) longest = std::max(longest, body.size.maxCoeff());
     margin = 1e-9 * longest;
-    test::Pile::gather();
+    Pile::gather();
   }
   BalanceTask task(int friction_edges = 0) {
     if (contacts.empty()) gather();
@@ -43,7 +40,7 @@ double limit(const std::function<bool(double)>& stands, double falls, double hol
 }
 
 // Separation velocity of two bodies at a point, which contacts keep from being negative.
-double parting(const Pile& pile, const StaticEquilibrium& found, const Contact& contact,
+double parting(const WeighedPile& pile, const StaticEquilibrium& found, const Contact& contact,
                const Vec3& point_w) {
   const auto of = [&](int body) {
     const Acceleration& a = found.motion()[idx(body)];
@@ -54,8 +51,8 @@ double parting(const Pile& pile, const StaticEquilibrium& found, const Contact& 
 }
 
 // Boxes in layers, each at a random place over the one below: many fall.
-Pile random_layers(Random& random) {
-  Pile pile;
+WeighedPile random_layers(Random& random) {
+  WeighedPile pile;
   pile.world.add_ground();
   const int layers = 2 + static_cast<int>(random.below(3));
   for (int layer = 0; layer < layers; ++layer) {
@@ -75,8 +72,8 @@ Pile random_layers(Random& random) {
 }
 
 // Figure 6.5, with lengths and masses in any unit: a top block, offset by 0.2, on two that overhang.
-Pile heavy_top(double mass_ratio, double length, double mass) {
-  Pile pile;
+WeighedPile heavy_top(double mass_ratio, double length, double mass) {
+  WeighedPile pile;
   for (const double side : {-1.0, 1.0}) {
     pile.add_fixed(length * Vec3(1.375 * side, 0.5, 0.0), length * Vec3(0.75, 1.0, 1.0));
     pile.add(length * Vec3(2.0 * side, 1.5, 0.0), length * Vec3(2.0, 1.0, 1.0), mass);
@@ -90,8 +87,8 @@ bool heavy_top_stands(double mass_ratio, double length, double mass) {
 }
 
 // A plank that leans on a smooth wall, both turned about the vertical.
-Pile leaning_plank(double degrees, double friction, double turn) {
-  Pile pile;
+WeighedPile leaning_plank(double degrees, double friction, double turn) {
+  WeighedPile pile;
   pile.world.add_ground(friction);
   const Quat about = rotation_from_vector(Vec3(0.0, turn, 0.0));
   pile.add_fixed(about * Vec3(-0.5, 2.0, 0.0), Vec3(1.0, 4.0, 4.0), 0.0, about);
@@ -108,7 +105,7 @@ TEST_CASE("A box on two ridges presses on them by the law of the lever",
           "[exact][geometric_stability]") {
   // Ridges of 1 mm under a plank of 2 m: a load off the middle by x has (0.9 - x)/1.8 on the left.
   for (const double x : {-0.6, 0.0, 0.3}) {
-    Pile pile;
+    WeighedPile pile;
     pile.add_fixed(Vec3(-0.9, 0.5, 0.0), Vec3(1e-3, 1.0, 1.0));
     pile.add_fixed(Vec3(0.9, 0.5, 0.0), Vec3(1e-3, 1.0, 1.0));
     pile.add(Vec3(x, 1.05, 0.0), Vec3(4.0, 0.1, 1.0), 3.0);
@@ -138,7 +135,7 @@ TEST_CASE("The residual proves that no contact forces can hold the bodies",
   int falling = 0;
   int standing = 0;
   for (int run = 0; run < 300; ++run) {
-    Pile pile = random_layers(random);
+    WeighedPile pile = random_layers(random);
     StaticEquilibrium equilibrium;
     const BalanceTask task = pile.task();
     const bool balanced = equilibrium.solve(pile.world, task).balanced;
@@ -204,7 +201,7 @@ TEST_CASE("Equilibrium with friction finds a leaning plank's limit up to the err
 TEST_CASE("Balance with friction says that a wedged box may stay, and it falls freely",
           "[claims][geometric_stability]") {
   const auto wedged = [](double friction) {
-    Pile pile;
+    WeighedPile pile;
     pile.add_fixed(Vec3(-1.0, 2.0, 0.0), Vec3(1.0, 4.0, 2.0), friction);
     pile.add_fixed(Vec3(1.0, 2.0, 0.0), Vec3(1.0, 4.0, 2.0), friction);
     pile.add(Vec3(0.0, 2.0, 0.0), Vec3::Ones(), 1.0, friction);
@@ -256,7 +253,7 @@ TEST_CASE("One body may have a hundred thousand times the mass of another, or fi
       double mass = 0.0;
       double moment = 0.0;
       double inside = 1.0;  // [m] of the centre of all above, from the end of a support
-      Pile pile;
+      WeighedPile pile;
       pile.world.add_ground();
       for (int k = 3; k >= 0; --k) {
         const double own = k == other ? ratio : 1.0;
@@ -280,7 +277,7 @@ TEST_CASE("One body may have a hundred thousand times the mass of another, or fi
 
 TEST_CASE("Loads beside the weights are balanced, also if they are a couple",
           "[unit][geometric_stability]") {
-  Pile pile;
+  WeighedPile pile;
   pile.world.add_ground();
   const int box = pile.add(Vec3(0.013, 0.5, 0.01), Vec3(1.01, 1.0, 0.437), 0.8);
   StaticEquilibrium equilibrium;
@@ -314,7 +311,7 @@ TEST_CASE("Loads beside the weights are balanced, also if they are a couple",
 
 TEST_CASE("Held bodies stay where they are and hold whatever leans on them",
           "[unit][geometric_stability]") {
-  Pile pile;
+  WeighedPile pile;
   pile.world.add_ground();
   const int low = pile.add(Vec3(0.0, 0.5, 0.0));
   const int high = pile.add(Vec3(0.3, 1.5, 0.0));
@@ -334,7 +331,7 @@ TEST_CASE("Held bodies stay where they are and hold whatever leans on them",
 
 TEST_CASE("Equilibrium refuses invalid input with the value and the right one",
           "[unit][geometric_stability]") {
-  Pile pile;
+  WeighedPile pile;
   pile.world.add_ground();
   pile.add(Vec3(0.0, 0.5, 0.0));
   StaticEquilibrium equilibrium;

@@ -6,8 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
 std::vector<Vec2> hull_of(std::vector<Vec2> points) {
   std::vector<Vec2> hull;
   convex_hull(points, hull);

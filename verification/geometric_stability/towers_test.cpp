@@ -9,11 +9,9 @@
 
 namespace {
 
-using namespace tumble;
-
 // Bodies in contact, with gathered contacts.
-struct Pile : test::Pile {
-  Pile() { margin = 1e-6; }
+struct TowerPile : Pile {
+  TowerPile() { margin = 1e-6; }
   Towers towers(std::span<const char> held = {}) {
     if (contacts.empty()) gather();
     Towers result;
@@ -42,8 +40,8 @@ double harmonic_overhang(int blocks) {
 }
 
 // Blocks over the edge of a table: the k-th from the top is scale/(2k) over the next one.
-Pile blocks_over_edge(int blocks, double scale) {
-  Pile pile;
+TowerPile blocks_over_edge(int blocks, double scale) {
+  TowerPile pile;
   pile.add_fixed(Vec3(-2.0, -0.5, 0.0), Vec3(4.0, 1.0, 1.0));
   double right = 0.0;
   for (int k = blocks; k >= 1; --k) {
@@ -71,7 +69,7 @@ TEST_CASE("A tower stands as long as the centre of the load is above each suppor
     int standing = 0;
     int tipping = 0;
     for (int run = 0; run < 400; ++run) {
-      Pile pile;
+      TowerPile pile;
       pile.world.add_ground();
       const int count = 1 + static_cast<int>(random.below(6));
       double top = 0.0;
@@ -135,7 +133,7 @@ TEST_CASE("A tower stands as long as the centre of the load is above each suppor
 
 TEST_CASE("A box on two others, or touched from the side, is no part of a tower",
           "[unit][geometric_stability]") {
-  Pile pile;
+  TowerPile pile;
   pile.world.add_ground();
   const int left = pile.add(Vec3(-0.6, 0.5, 0.0));
   const int right = pile.add(Vec3(0.6, 0.5, 0.0));
@@ -162,7 +160,7 @@ TEST_CASE("A box on two others, or touched from the side, is no part of a tower"
 }
 
 TEST_CASE("A held body counts as ground, not as a load", "[unit][geometric_stability]") {
-  Pile pile;
+  TowerPile pile;
   pile.world.add_ground();
   const int low = pile.add(Vec3(0.0, 0.5, 0.0));
   const int high = pile.add(Vec3(0.4, 1.5, 0.0));
@@ -177,7 +175,7 @@ TEST_CASE("A held body counts as ground, not as a load", "[unit][geometric_stabi
 
 TEST_CASE("A support given as two contacts holds as much as the two together",
           "[unit][geometric_stability]") {
-  Pile pile;
+  TowerPile pile;
   pile.world.add_ground();
   pile.add(Vec3(0.0, 0.5, 0.0));
   pile.add(Vec3(0.2, 1.5, 0.0));

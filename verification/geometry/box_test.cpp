@@ -5,9 +5,6 @@
 #include "geometry/boxes.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 // [-] Sums of three products of numbers of order 10: a few times 1e-16 times 10.
@@ -23,7 +20,7 @@ TEST_CASE("Corner k of a box lies on the sides that the bits of k name", "[unit]
   CHECK(corner_of(box, 4) == Vec3(0.0, 0.0, 6.0));
   CHECK(corner_of(box, 7) == Vec3(2.0, 4.0, 6.0));
   const std::array<Vec3, 8> all = corners_of(box);
-  for (int k = 0; k < 8; ++k) CHECK(all[static_cast<std::size_t>(k)] == corner_of(box, k));
+  for (int k = 0; k < 8; ++k) CHECK(all[idx(k)] == corner_of(box, k));
 }
 
 TEST_CASE("Reach and bounds of a box are those of its corners", "[unit][box]") {

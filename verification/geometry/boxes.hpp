@@ -22,7 +22,6 @@ inline Quat about(const Vec3& axis, double angle) {
 
 // A cube of 1 m.
 // center_w: [m]
-// orientation_wb: [-]
 inline Box cube_at(const Vec3& center_w, const Quat& orientation_wb = Quat::Identity()) {
   return make_box(center_w, orientation_wb, Vec3::Ones());
 }

@@ -2,11 +2,7 @@
 /// \brief Broad phases, one answer.
 #include "tumble/geometry/broad_phase.hpp"
 
-#include "tumble/geometry/all_pairs.hpp"
-
 #include "support/test.hpp"
-
-using namespace tumble;
 
 namespace {
 

@@ -9,8 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
 using Catch::Matchers::WithinAbs;
 
 constexpr double kPi = std::numbers::pi;

@@ -9,9 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 struct Pair {
   Box first, second;
   double shortest, longest;  // [m] edge
@@ -172,8 +169,7 @@ TEST_CASE("A corner that comes down beside a face is seen before it is in", "[un
     const double along = (second.center_w - first.center_w).dot(m.normal_w) -
                          reach(first, m.normal_w) - reach(second, m.normal_w);
     double least = kMargin;
-    for (int i = 0; i < m.count; ++i)
-      least = std::min(least, m.points[static_cast<std::size_t>(i)].distance);
+    for (int i = 0; i < m.count; ++i) least = std::min(least, m.points[idx(i)].distance);
     CHECK(least < along + kNearer + 1e-9);
     CHECK(least > -1e-9);
   }

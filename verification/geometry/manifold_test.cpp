@@ -8,12 +8,7 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
-const ManifoldPoint& point(const Manifold& m, int i) {
-  return m.points[static_cast<std::size_t>(i)];
-}
+const ManifoldPoint& point(const Manifold& m, int i) { return m.points[idx(i)]; }
 
 Manifold collided(const Box& a, const Box& b, double margin = 0.0, AxisIndex remembered = kNoAxis) {
   Manifold m;

@@ -10,9 +10,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 const double kQuarter = std::sqrt(0.5);  // sine and cosine of 45 degrees
 
 SeparationOptions exact() { return SeparationOptions{.prefer_faces = false, .enough = kInfinity}; }

@@ -5,9 +5,6 @@
 #include "geometry/boxes.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 // [m] Some ten rounding errors of coordinates of order 1.

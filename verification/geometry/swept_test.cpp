@@ -2,13 +2,8 @@
 /// \brief First contact of moving boxes against closed forms and fine sampling in time.
 #include "tumble/geometry/swept.hpp"
 
-#include "tumble/base/tolerances.hpp"
-
 #include "geometry/boxes.hpp"
 #include "support/test.hpp"
-
-using namespace tumble;
-using namespace tumble::test;
 
 namespace {
 

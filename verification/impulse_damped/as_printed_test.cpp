@@ -6,11 +6,7 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
-
-constexpr double kDt = 1.0 / 60.0;  // [s]
 
 const char* const kSlips =
     "D2,D4,D5,D6,C1,C2,C3,C4,C5,C6,C7,C10,RK1,RK3,RC4,DM1,DM2,DM3,DM4,DM5,DM8,DM13,DM16,X1,X2,"
@@ -24,7 +20,7 @@ int add_cube(World& world, const Vec3& position_w, const Vec3& velocity_w = Vec3
 
 // A stack of two, a leaning cube, one in the air beside a wall.
 World busy_world() {
-  World world = test::ground_world();
+  World world = ground_world();
   add_cube(world, Vec3(0.0, 0.5, 0.0));
   add_cube(world, Vec3(0.2, 1.5, 0.0), Vec3::Zero(), 0.9);
   add_cube(world, Vec3(1.3, 0.7, 0.1), Vec3(-1.0, 0.0, 0.0), 0.5,
@@ -67,26 +63,26 @@ TEST_CASE("Damped integration as printed ends every step with finite numbers, wh
     World world = busy_world();
     DampedAsPrinted technique = with(set);
     for (int step = 0; step < 20; ++step) {
-      const StepReport report = technique.step(world, kDt);
+      const StepReport report = technique.step(world, kFrame);
       CHECK(report.status != StepStatus::not_finite);
       CHECK(std::isfinite(report.energy.total()));
     }
     CHECK(std::isfinite(reach_of(world)));
-    CHECK(std::abs(world.time() - 20 * kDt) < 1e-14);  // [s] rounding of 20 additions
+    CHECK(std::abs(world.time() - 20 * kFrame) < 1e-14);  // [s] rounding of 20 additions
   }
 }
 
 TEST_CASE("With all misprints mended the printed listings keep a cube at rest where it is",
           "[exact][impulse_damped]") {
-  World world = test::ground_world();
+  World world = ground_world();
   const int cube = add_cube(world, Vec3(0.0, 0.5, 0.0));
   DampedAsPrinted technique = with(DampedErrata(kSlips));
   double booked = 0.0;
-  for (int step = 0; step < 120; ++step) booked += technique.step(world, kDt).energy.total();
-  const BodyState& state = world.states()[static_cast<std::size_t>(cube)];
+  for (int step = 0; step < 120; ++step) booked += technique.step(world, kFrame).energy.total();
+  const BodyState& state = world.states()[idx(cube)];
   CHECK((state.position_w - Vec3(0.0, 0.5, 0.0)).norm() < 1e-15);  // [m] measured 0
   CHECK(state.linear_momentum_w.norm() < 1e-15);                   // [kg m/s] measured 0
-  CHECK(technique.geometrically_stable(world.ids()[static_cast<std::size_t>(cube)]));
+  CHECK(technique.geometrically_stable(world.ids()[idx(cube)]));
   // Impulses are booked in the middle of gravity's kick, so what rests costs nothing.
   CHECK(std::abs(booked) < 1e-12);  // [J] measured 0
 }
@@ -110,8 +106,8 @@ TEST_CASE("With all misprints mended the printed listings follow the reading as 
     DampedAsPrinted printed = with(DampedErrata(kSlips));
     double most = 0.0;
     for (int step = 0; step < 180; ++step) {
-      meant.step(world, kDt);
-      printed.step(other, kDt);
+      meant.step(world, kFrame);
+      printed.step(other, kFrame);
       for (std::size_t k = 0; k < world.states().size(); ++k)
         most = std::max(most, (world.states()[k].position_w - other.states()[k].position_w).norm());
     }
@@ -123,11 +119,11 @@ TEST_CASE("A step of the printed listings keeps no memory but its own",
           "[determinism][impulse_damped]") {
   World world = busy_world();
   DampedAsPrinted technique = with(DampedErrata(kSlips));
-  for (int step = 0; step < 10; ++step) technique.step(world, kDt);
+  for (int step = 0; step < 10; ++step) technique.step(world, kFrame);
   World again = world;
   const auto copy = technique.clone();
   for (int step = 0; step < 30; ++step) {
-    const double dt = step % 3 == 0 ? kDt : 0.7 * kDt;
+    const double dt = step % 3 == 0 ? kFrame : 0.7 * kFrame;
     technique.step(world, dt);
     copy->step(again, dt);
   }
@@ -135,17 +131,17 @@ TEST_CASE("A step of the printed listings keeps no memory but its own",
 }
 
 TEST_CASE("What the printed listings know of a body goes with its id", "[unit][impulse_damped]") {
-  World world = test::ground_world();
+  World world = ground_world();
   add_cube(world, Vec3(-3.0, 0.5, 0.0));
   const int second = add_cube(world, Vec3(0.0, 0.5, 0.0));
   const BodyId first_id = world.ids()[1];
-  const BodyId second_id = world.ids()[static_cast<std::size_t>(second)];
+  const BodyId second_id = world.ids()[idx(second)];
   DampedAsPrinted technique = with(DampedErrata(kSlips));
-  technique.step(world, kDt);
+  technique.step(world, kFrame);
   CHECK(technique.geometrically_stable(second_id));
   world.remove(first_id);
   add_cube(world, Vec3(0.0, 5.0, 0.0));
-  technique.step(world, kDt);
+  technique.step(world, kFrame);
   CHECK(technique.geometrically_stable(second_id));
   CHECK_FALSE(technique.geometrically_stable(first_id));
   CHECK_FALSE(technique.geometrically_stable(world.ids()[2]));
@@ -176,7 +172,7 @@ TEST_CASE("What the listings leave open is read in the milder way unless traps a
     const auto technique = make_technique(
         "damped",
         {"reading=as_printed", std::string("repaired=") + repaired, std::string("traps=") + traps});
-    for (int k = 0; k < 30; ++k) technique->step(world, kDt);
+    for (int k = 0; k < 30; ++k) technique->step(world, kFrame);
     double sum = 0.0;
     for (const BodyState& state : world.states()) sum += state.position_w.sum();
     return sum;

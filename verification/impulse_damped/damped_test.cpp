@@ -7,9 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 BodyId add_cube(World& world, const Vec3& position_w, const Vec3& velocity_w = Vec3::Zero(),
                 double restitution = 0.9, const Quat& q = Quat::Identity(),
                 const Vec3& size = Vec3::Ones()) {

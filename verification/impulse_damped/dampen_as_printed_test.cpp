@@ -7,8 +7,6 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 constexpr double dt = 1.0 / 60.0;  // [s]
@@ -48,7 +46,7 @@ struct Motion {
 
 // Five lively cubes above each other, with gaps [m] below them, fall for a second.
 Motion run_both(double gap) {
-  World printed = test::ground_world();
+  World printed = ground_world();
   const BodyProperties lively = box_properties(Vec3::Ones(), 1.0, 0.5, 0.9);
   for (int k = 0; k < 5; ++k) printed.add(lively, Vec3(0.0, 0.5 + k + gap * (k + 1), 0.0));
   World meant = printed;
@@ -101,7 +99,7 @@ TEST_CASE("With all its misprints, the listing ends whatever is negative along y
 TEST_CASE("A loop of pushes that does not end is left at the cap and reported",
           "[exact][impulse_damped]") {
   // A normal along the ground never leads out of it.
-  World world = test::ground_world();
+  World world = ground_world();
   world.add(cube, Vec3(0.0, 0.4, 0.0));
   const Contact sideways = contact_between(0, 1, Vec3::UnitX(), Vec3::Zero());
   const PrintedFixReport report =
@@ -110,7 +108,7 @@ TEST_CASE("A loop of pushes that does not end is left at the cap and reported",
   CHECK(report.pushes == 250);
   CHECK(world.states()[1].position_w.x() == near(0.25, 1e-12));  // [m]
 
-  World mended = test::ground_world();
+  World mended = ground_world();
   mended.add(cube, Vec3(0.0, 0.3995, 0.0));
   const PrintedFixReport ended =
       fix_contact_constraints_as_printed(mended, {&sideways, 1}, 1e-3, 250, DampedErrata("X1"));

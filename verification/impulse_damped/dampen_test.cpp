@@ -6,10 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
-constexpr double kStep = 1.0 / 60.0;
-
 struct Single {
   World world;
   BodyProperties body;
@@ -21,7 +17,7 @@ struct Single {
     world.add(body, Vec3(0.0, 5.0, 0.0), q);
   }
   BodyState& state() { return world.states()[0]; }
-  DampingReport damp(const DampingParts& parts, double dt = kStep,
+  DampingReport damp(const DampingParts& parts, double dt = kFrame,
                      const DampedNumbers& numbers = {}) {
     ObjectDamping damping;
     return damping.run(world, touched, numbers, parts, dt, RotationRule::splitting);
@@ -96,7 +92,7 @@ TEST_CASE("Stopping components raises the energy of a brick but not of a cube",
   stop_half.eps8 = 0.6 / scale;
   brick.state().angular_momentum_w = Vec3(1.0, -0.5, 0.0);
   const double before = kinetic_energy(brick.body, brick.state());
-  const DampingReport report = brick.damp(only("small"), kStep, stop_half);
+  const DampingReport report = brick.damp(only("small"), kFrame, stop_half);
   CHECK(before == near(0.0643382, 1e-7));
   CHECK(brick.state().angular_momentum_w == Vec3(1.0, 0.0, 0.0));
   CHECK(report.energy == near(0.1397059 - 0.0643382, 1e-7));

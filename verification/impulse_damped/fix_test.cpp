@@ -7,16 +7,12 @@
 
 namespace {
 
-using namespace tumble;
-
-constexpr double kStep = 1.0 / 60.0;
-
 FixReport fix(World& world) {
   PairGatherer gatherer(NormalRule::separation, PointRule::area);
   ContactList contacts;
   gatherer.gather(world, world.states(), world.states(), nullptr, 0.0, contacts);
   FixContactConstraints constraints;
-  return constraints.run(world, contacts, DampedNumbers{}, kStep);
+  return constraints.run(world, contacts, DampedNumbers{}, kFrame);
 }
 
 BodyId add_cube(World& world, const Vec3& position_w, double mass = 2.0) {
@@ -27,7 +23,7 @@ BodyId add_cube(World& world, const Vec3& position_w, double mass = 2.0) {
 
 TEST_CASE("A box in the ground is lifted by whole pushes and left with a gap below one",
           "[exact][impulse_damped]") {
-  World world = test::ground_world();
+  World world = ground_world();
   add_cube(world, Vec3(0.0, 0.4975, 0.0));
   const double before = energy_of(world).total();
   const FixReport report = fix(world);
@@ -41,7 +37,7 @@ TEST_CASE("A box in the ground is lifted by whole pushes and left with a gap bel
 
 TEST_CASE("A stack pressed into itself is put right from the ground up in one pass",
           "[exact][impulse_damped]") {
-  World world = test::ground_world();
+  World world = ground_world();
   for (int k = 0; k < 5; ++k) add_cube(world, Vec3(0.0, 0.49 + 0.99 * k, 0.0));
   fix(world);
   for (std::size_t k = 1; k <= 5; ++k) {
@@ -65,7 +61,7 @@ TEST_CASE("Under a fixed shelf the box goes down, and the shelf stays", "[exact]
 }
 
 TEST_CASE("The pushes end though there is no room", "[exact][impulse_damped]") {
-  World world = test::ground_world();
+  World world = ground_world();
   const BodyProperties shelf = fixed_box_properties(Vec3(2.0, 0.1, 2.0));
   world.add(shelf, Vec3(0.0, 0.95, 0.0));  // 0.9 m above the ground
   add_cube(world, Vec3(0.0, 0.45, 0.0));

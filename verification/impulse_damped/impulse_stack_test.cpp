@@ -8,9 +8,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 void add_box(World& world, const Vec3& size, double mass, const Vec3& position_w,
              double friction = 0.5, double restitution = 0.0) {
   world.add(box_properties(size, mass, friction, restitution), position_w);

@@ -6,8 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
 struct Case {
   World world;
   std::vector<MovingBody> moving;
@@ -98,7 +96,7 @@ TEST_CASE("Chance is the same whatever was drawn before, and another one in anot
 
 TEST_CASE("The normal turns by its standard deviation", "[reference][impulse_damped]") {
   // A cube that falls without spin on its centre: nothing has to be drawn back.
-  World world = test::ground_world();
+  World world = ground_world();
   world.add(box_properties(Vec3::Ones(), 1.0), Vec3(0.0, 0.5, 0.0), Quat::Identity(),
             Vec3(0.0, -5.0, 0.0));
   std::vector<MovingBody> moving = test::moving_bodies(world);
@@ -125,7 +123,7 @@ TEST_CASE("The normal turns by its standard deviation", "[reference][impulse_dam
 
 TEST_CASE("Only collisions on the right side of the threshold are left to chance",
           "[unit][impulse_damped]") {
-  World world = test::ground_world();
+  World world = ground_world();
   const BodyId id = world.add(box_properties(Vec3::Ones(), 1.0), Vec3(0.0, 0.5, 0.0),
                               Quat::Identity(), Vec3(0, -1.4, 0));
   std::vector<MovingBody> moving;

@@ -6,8 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
 BodyId add_cube(World& world, const Vec3& position_w, const Quat& q = Quat::Identity(),
                 const Vec3& size = Vec3::Ones()) {
   return world.add(box_properties(size, 1.0, 0.5, 0.9), position_w, q);

@@ -9,8 +9,6 @@
 #include "support/test.hpp"
 
 using namespace tumble::chapters;
-using namespace tumble;
-using namespace tumble::test;
 
 namespace {
 

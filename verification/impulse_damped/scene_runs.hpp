@@ -68,7 +68,6 @@ inline double turned_most_of(const World& a, const World& b) {
 
 // Steps a world and measures.
 // seconds: [s] how long; whole steps
-// dt: [s] length of a step
 inline Course run(World& world, Technique& technique, double seconds, double dt = kFrame) {
   Course course;
   const World start = world;

@@ -7,11 +7,7 @@
 
 #include "lcp_solvers/pyramid_problem.hpp"
 #include "lcp_solvers/random_contacts.hpp"
-#include "support/allocation_counter.hpp"
 #include "support/test.hpp"
-
-using namespace tumble;
-using namespace tumble::test;
 
 namespace {
 

@@ -5,9 +5,6 @@
 #include "lcp_solvers/lcp_cases.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 LcpResult solved(const LcpProblem& problem, const BaraffAsPrintedOptions& options = {}) {

@@ -7,9 +7,6 @@
 #include "lcp_solvers/random_contacts.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 LcpResult solved(const LcpProblem& problem, const GaussSeidelOptions& options = {}) {
@@ -46,7 +43,7 @@ TEST_CASE("A sweep takes the error of a stack to the square of the cosine of pi 
       before = error;
       error = 0.0;
       for (int k = 0; k < n; ++k)
-        error = std::max(error, std::abs(result.f[static_cast<std::size_t>(k)] - 9.81 * (n - k)));
+        error = std::max(error, std::abs(result.f[idx(k)] - 9.81 * (n - k)));
       ++pass;
     }
     const double cosine = elementary::cos(0.5 * std::numbers::pi / n);

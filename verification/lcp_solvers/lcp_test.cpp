@@ -14,9 +14,6 @@
 #include "support/shared_data.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 // Some ten roundings of 2e-16 in problems of a few rows with numbers up to 50 (measured: below 1e-14).

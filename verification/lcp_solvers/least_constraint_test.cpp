@@ -8,9 +8,6 @@
 #include "lcp_solvers/random_contacts.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 // [m/s²], [N] rounding of problems with numbers up to 50: measured 2e-14.

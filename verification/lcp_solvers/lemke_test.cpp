@@ -12,9 +12,6 @@
 #include "support/shared_data.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 LcpResult solved(const LcpProblem& problem, const LemkeOptions& options = {}) {

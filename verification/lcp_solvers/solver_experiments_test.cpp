@@ -1,6 +1,5 @@
 /// \file
 /// \brief The claims on solvers, and the forces of figure 3.5 step by step, run small.
-#include "tumble/lcp_solvers/baraff.hpp"
 
 #include "driver/quick.hpp"
 #include "lcp_solvers/lcp_cases.hpp"
@@ -9,9 +8,7 @@
 #include "lcp_solvers/redundant_contacts.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
-using namespace tumble::test;
 
 TEST_CASE(
     "A load below an absolute tolerance sinks with the square of time, with a relative one it "

@@ -17,9 +17,7 @@
 
 #include <filesystem>
 
-using namespace tumble;
 using namespace tumble::chapters;
-using namespace tumble::test;
 
 namespace {
 

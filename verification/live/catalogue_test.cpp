@@ -10,7 +10,6 @@
 
 namespace {
 
-using namespace tumble;
 using tumble::test::JsonReader;
 using tumble::test::JsonValue;
 

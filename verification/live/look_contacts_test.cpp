@@ -4,7 +4,6 @@
 #include "session.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::live;
 
 TEST_CASE("Contact points of a look are those of the technique's last step", "[unit][live]") {

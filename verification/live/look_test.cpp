@@ -11,7 +11,6 @@
 
 namespace {
 
-using namespace tumble;
 using namespace tumble::live;
 
 bool same_pose(const Vec3& position_w, const Quat& orientation_wb, const BodyState& state) {

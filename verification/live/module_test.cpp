@@ -26,7 +26,6 @@ int tumble_scene(int slot);
 
 namespace {
 
-using namespace tumble;
 using namespace tumble::live;
 using Catch::Matchers::StartsWith;
 

@@ -115,7 +115,6 @@ inline void step(Session& session, int count) {
 }
 
 // A cube of 1 m and 1 kg to throw.
-// position_w: [m] its centre
 // velocity_w: [m/s] of it
 inline SceneBox cube(const Vec3& position_w, const Vec3& velocity_w = Vec3::Zero()) {
   return SceneBox{.name = "", .position_w = position_w, .velocity_w = velocity_w};

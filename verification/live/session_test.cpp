@@ -3,12 +3,10 @@
 #include "session.hpp"
 
 #include "tumble/dynamics/tolerances.hpp"
-#include "tumble/record/run.hpp"
 
 #include "live/seen.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using namespace tumble::live;
 
 TEST_CASE("Looking changes nothing of what follows", "[determinism][live]") {

@@ -8,8 +8,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
 using namespace tumble::live;
 
 const std::string kBox = "[[box]]\nsize = [1, 1, 1]\nmass = 2\nposition = [0, 3, 0]\n";

@@ -4,8 +4,6 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 // How far x = M x + b, with M of this diagonal, is from its solution after so many iterations.

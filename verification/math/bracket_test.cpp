@@ -4,8 +4,6 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 TEST_CASE("Bisecting a frame to a microsecond takes 15 evaluations", "[exact][bracket]") {
   const double touch = 0.0123;
   int asked = 0;

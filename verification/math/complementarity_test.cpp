@@ -7,8 +7,6 @@
 #include "support/dense_solve.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 // A residual of 1e-12 is rounding of small well-scaled problems (measured: below 1e-15).

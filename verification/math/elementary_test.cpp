@@ -7,8 +7,6 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 constexpr double pi = 3.14159265358979324;

@@ -8,8 +8,6 @@
 #include "support/dense_solve.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 LeastSquaresResult nearest(const MatX& G, const VecX& d) {
@@ -86,7 +84,7 @@ TEST_CASE("Non-negative least squares agrees with trying every set of columns",
     bool good = result.status == ComplementarityStatus::solved &&
                 (rest - view(result.rest)).norm() <= 1e-12;
     for (int j = 0; j < p.G.cols(); ++j) {
-      const double f = result.f[static_cast<std::size_t>(j)];
+      const double f = result.f[idx(j)];
       if (!(f >= 0.0) || slope[j] > 1e-9 || (f > 0.0 && slope[j] < -1e-9)) good = false;
     }
     if (!good) ++wrong["wrong conditions"];
@@ -118,7 +116,7 @@ TEST_CASE("Wide cones of nearly dependent columns keep their conditions", "[unit
     const VecX slope = G.transpose().lazyProduct(view(result.rest));
     bool good = result.status == ComplementarityStatus::solved;
     for (int j = 0; j < 25; ++j) {
-      const double f = result.f[static_cast<std::size_t>(j)];
+      const double f = result.f[idx(j)];
       if (!(f >= 0.0) || slope[j] > 1e-9 || (f > 0.0 && slope[j] < -1e-9)) good = false;
     }
     if (!good) ++wrong;

@@ -4,8 +4,6 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 Vec3 random_vector(Random& random) {

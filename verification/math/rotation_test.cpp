@@ -4,8 +4,6 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 constexpr double pi = std::numbers::pi;

@@ -5,8 +5,6 @@
 #include "support/dense_solve.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 using Dense = Eigen::MatrixXd;
@@ -23,7 +21,7 @@ struct Problem {
 
   Problem(std::uint64_t seed, int count, int pairs) : blocks(count) {
     Random chance(seed);
-    own.assign(static_cast<std::size_t>(count), Mat6::Identity());
+    own.assign(idx(count), Mat6::Identity());
     const auto random_block = [&] {
       Mat6 m;
       for (int j = 0; j < 6; ++j)
@@ -37,13 +35,12 @@ struct Problem {
       const Mat6 left = random_block();
       const Mat6 right = random_block();
       joined.push_back({a, b});
-      own[static_cast<std::size_t>(a)] += left * left.transpose();
-      own[static_cast<std::size_t>(b)] += right * right.transpose();
+      own[idx(a)] += left * left.transpose();
+      own[idx(b)] += right * right.transpose();
       between.emplace_back(left * right.transpose());
     }
     dense = Dense::Zero(6 * count, 6 * count);
-    for (int b = 0; b < count; ++b)
-      dense.block<6, 6>(6 * b, 6 * b) = own[static_cast<std::size_t>(b)];
+    for (int b = 0; b < count; ++b) dense.block<6, 6>(6 * b, 6 * b) = own[idx(b)];
     for (std::size_t k = 0; k < joined.size(); ++k) {
       const int a = 6 * joined[k].first;
       const int b = 6 * joined[k].second;
@@ -54,7 +51,7 @@ struct Problem {
 
   void fill(SparseBlocks& matrix) const {
     matrix.clear();
-    for (int b = 0; b < blocks; ++b) matrix.add_to(b, own[static_cast<std::size_t>(b)]);
+    for (int b = 0; b < blocks; ++b) matrix.add_to(b, own[idx(b)]);
     for (std::size_t k = 0; k < joined.size(); ++k)
       matrix.add_to_pair(static_cast<int>(k), between[k]);
   }
@@ -66,14 +63,12 @@ double error_of(const Problem& problem, SparseBlocks& matrix, std::uint64_t seed
   std::vector<Vec6> x(static_cast<std::size_t>(problem.blocks));
   Column right(6 * problem.blocks);
   for (int b = 0; b < problem.blocks; ++b)
-    for (int i = 0; i < 6; ++i)
-      right[6 * b + i] = x[static_cast<std::size_t>(b)][i] = chance.uniform(-1.0, 1.0);
+    for (int i = 0; i < 6; ++i) right[6 * b + i] = x[idx(b)][i] = chance.uniform(-1.0, 1.0);
   matrix.solve(x);
   const Column exact = test::dense_solve(problem.dense, right);
   double worst = 0.0;
   for (int b = 0; b < problem.blocks; ++b)
-    worst = std::max(
-        worst, (x[static_cast<std::size_t>(b)] - exact.segment<6>(6 * b)).cwiseAbs().maxCoeff());
+    worst = std::max(worst, (x[idx(b)] - exact.segment<6>(6 * b)).cwiseAbs().maxCoeff());
   return worst / exact.cwiseAbs().maxCoeff();
 }
 
@@ -111,7 +106,7 @@ TEST_CASE("Patterns of more than 64 blocks, pairs that come twice and no pair at
     chain.dense.block<6, 6>(6 * pair.second, 6 * pair.first) += value.transpose();
   }
   for (int b = 0; b < 130; ++b) {
-    chain.own[static_cast<std::size_t>(b)] *= 5.0;
+    chain.own[idx(b)] *= 5.0;
     chain.dense.block<6, 6>(6 * b, 6 * b) *= 5.0;
   }
   CHECK(matrix.analyse(130, chain.joined));

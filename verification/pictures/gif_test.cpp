@@ -15,8 +15,6 @@
 #define NO_READER
 #endif
 
-using namespace tumble;
-
 namespace {
 
 Raster plain(int width, int height, int grey) {
@@ -69,7 +67,7 @@ TEST_CASE("A GIF that is read back has the pixels that were written", "[exact][p
     written.push_back(raster);
   }
   const std::vector<int> delays = {4, 3, 300, 1, 65535};
-  const auto frame = [&](int k) { return written.at(static_cast<std::size_t>(k)); };
+  const auto frame = [&](int k) { return written.at(idx(k)); };
   const std::string bytes = to_gif(delays, frame);
   CHECK(bytes == to_gif(delays, frame));
   CHECK(Contains(std::string("NETSCAPE2.0\x03\x01\0\0", 15)).match(bytes));  // for ever
@@ -87,9 +85,7 @@ TEST_CASE("A GIF that is read back has the pixels that were written", "[exact][p
 
 TEST_CASE("A frame that does not differ takes a few bytes", "[unit][picture]") {
   const auto size = [](int frames) {
-    return to_gif(std::vector<int>(static_cast<std::size_t>(frames), 4),
-                  [](int) { return plain(400, 300, 9); })
-        .size();
+    return to_gif(std::vector<int>(idx(frames), 4), [](int) { return plain(400, 300, 9); }).size();
   };
   CHECK(size(11) - size(1) < 300);
 #ifndef NO_READER

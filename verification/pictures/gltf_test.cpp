@@ -7,7 +7,6 @@
 
 #include <cstring>
 
-using namespace tumble;
 using test::JsonReader;
 using test::JsonValue;
 

@@ -5,9 +5,6 @@
 #include "geometry/boxes.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 // Where a ray enters a box; infinite if it misses.

@@ -9,13 +9,12 @@
 #include "geometry/boxes.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
 using test::Stretch;
 using test::stretch_in;
 
 namespace {
 
-PictureBox upright(const Vec3& center, const Vec3& size) {
+PictureBox drawn_box(const Vec3& center, const Vec3& size) {
   return {make_box(center, Quat::Identity(), size)};
 }
 
@@ -88,8 +87,7 @@ void judge(const std::vector<PictureBox>& boxes, const Camera& camera, const Pic
     if (nearest != kNoBox) ++out.pixels;
     if (drawn == nearest) continue;
     bool allowed = drawn != kNoBox && nearest != kNoBox &&
-                   overlap_slightly(boxes[static_cast<std::size_t>(drawn)].box,
-                                    boxes[static_cast<std::size_t>(nearest)].box);
+                   overlap_slightly(boxes[idx(drawn)].box, boxes[idx(nearest)].box);
     for (int turn = 0; turn < 16 && seam > 0.0; ++turn) {
       const double angle = 2.0 * std::numbers::pi * turn / 16.0;
       const Vec2 beside = pixel + seam * Vec2(std::cos(angle), std::sin(angle));
@@ -236,7 +234,7 @@ TEST_CASE("A camera has all boxes and shadows in its picture and touches the fre
 TEST_CASE(
     "Whatever the direction of the view, top, left and right of a cube have shades in this order",
     "[exact][picture]") {
-  const std::vector<PictureBox> cube = {upright(Vec3(0.0, 0.5, 0.0), Vec3::Ones())};
+  const std::vector<PictureBox> cube = {drawn_box(Vec3(0.0, 0.5, 0.0), Vec3::Ones())};
   for (const Vec3& direction : {Vec3(1.0, 0.8, 1.0), Vec3(-1.0, 0.8, 1.0), Vec3(-1.0, 0.8, -1.0)}) {
     const Camera camera = camera_for(cube, direction, 300.0, 200.0, true);
     const Picture picture = draw_boxes(cube, camera, false);
@@ -263,7 +261,7 @@ TEST_CASE(
 
 TEST_CASE("The shadow of a cube in the air lies where the light through its centre meets the floor",
           "[exact][picture]") {
-  const std::vector<PictureBox> cube = {upright(Vec3(1.0, 5.0, -2.0), Vec3::Ones())};
+  const std::vector<PictureBox> cube = {drawn_box(Vec3(1.0, 5.0, -2.0), Vec3::Ones())};
   const Camera camera = camera_for(cube, Vec3(1.0, 1.0, 2.0), 300.0, 200.0, true);
   const Projection view(camera);
   const Vec3 light = Lamp(view, 1).middle_w();
@@ -287,8 +285,8 @@ TEST_CASE("The shadow of a cube in the air lies where the light through its cent
 }
 
 TEST_CASE("A box casts its shadow on the box below and not on the one above", "[exact][picture]") {
-  const std::vector<PictureBox> boxes = {upright(Vec3(0.0, 0.5, 0.0), Vec3(4.0, 1.0, 4.0)),
-                                         upright(Vec3(0.0, 2.5, 0.0), Vec3::Ones())};
+  const std::vector<PictureBox> boxes = {drawn_box(Vec3(0.0, 0.5, 0.0), Vec3(4.0, 1.0, 4.0)),
+                                         drawn_box(Vec3(0.0, 2.5, 0.0), Vec3::Ones())};
   const Picture picture =
       draw_boxes(boxes, camera_for(boxes, Vec3(1.0, 2.0, 1.0), 300.0, 200.0, true));
   int on_lower = 0, on_upper = 0;
@@ -302,8 +300,8 @@ TEST_CASE("A box casts its shadow on the box below and not on the one above", "[
 
 TEST_CASE("All that is drawn is inside the picture, also from within the scene",
           "[exact][picture]") {
-  const std::vector<PictureBox> boxes = {upright(Vec3(0.0, 0.5, 0.0), Vec3(40.0, 1.0, 1.0)),
-                                         upright(Vec3(2.0, 30.0, -40.0), Vec3(1.0, 60.0, 1.0))};
+  const std::vector<PictureBox> boxes = {drawn_box(Vec3(0.0, 0.5, 0.0), Vec3(40.0, 1.0, 1.0)),
+                                         drawn_box(Vec3(2.0, 30.0, -40.0), Vec3(1.0, 60.0, 1.0))};
   Camera camera{.eye_w = Vec3(0.0, 2.0, 6.0), .target_w = Vec3(0.0, 1.0, 0.0)};
   const Picture picture = draw_boxes(boxes, camera);
   int outside = 0;
@@ -322,7 +320,7 @@ TEST_CASE("All that is drawn is inside the picture, also from within the scene",
 
 TEST_CASE("The floor is left out when the eye is below it or nothing stands on it",
           "[unit][picture]") {
-  const std::vector<PictureBox> cube = {upright(Vec3(0.0, 0.5, 0.0), Vec3::Ones())};
+  const std::vector<PictureBox> cube = {drawn_box(Vec3(0.0, 0.5, 0.0), Vec3::Ones())};
   const auto floor_areas = [&](const Camera& camera, const std::vector<PictureBox>& boxes) {
     const Picture picture = draw_boxes(boxes, camera);
     return std::ranges::count_if(picture.areas,
@@ -331,7 +329,7 @@ TEST_CASE("The floor is left out when the eye is below it or nothing stands on i
   CHECK(floor_areas(camera_for(cube, Vec3(1.0, 1.0, 1.0), 300.0, 200.0, true), cube) > 0);
   CHECK(floor_areas(camera_for(cube, Vec3(1.0, -1.0, 1.0), 300.0, 200.0, false), cube) == 0);
   CHECK(floor_areas(Camera{}, {}) == 0);
-  const std::vector<PictureBox> sunk = {upright(Vec3(0.0, -2.0, 0.0), Vec3::Ones())};
+  const std::vector<PictureBox> sunk = {drawn_box(Vec3(0.0, -2.0, 0.0), Vec3::Ones())};
   CHECK(floor_areas(Camera{}, sunk) == 0);
 }
 
@@ -343,7 +341,7 @@ TEST_CASE("Opposite sides of a die have seven pips together", "[unit][picture]")
     CHECK(pips_of_side(2 * axis) + pips_of_side(2 * axis + 1) == 7);
   CHECK(pips_of_side(3) == 2);  // +y
 
-  std::vector<PictureBox> die = {upright(Vec3(0.0, 0.5, 0.0), Vec3::Ones())};
+  std::vector<PictureBox> die = {drawn_box(Vec3(0.0, 0.5, 0.0), Vec3::Ones())};
   die[0].die = true;
   const Picture picture = draw_boxes(die, camera_for(die, Vec3(0.1, 1.0, 0.0), 300.0, 200.0, true));
   std::size_t most = 0;
@@ -353,7 +351,7 @@ TEST_CASE("Opposite sides of a die have seven pips together", "[unit][picture]")
 }
 
 TEST_CASE("gnuplot and SVG get every area, in finite numbers", "[unit][picture]") {
-  const std::vector<PictureBox> cube = {upright(Vec3(0.0, 0.5, 0.0), Vec3::Ones())};
+  const std::vector<PictureBox> cube = {drawn_box(Vec3(0.0, 0.5, 0.0), Vec3::Ones())};
   const Picture picture =
       draw_boxes(cube, camera_for(cube, Vec3(1.0, 1.0, 2.0), 300.0, 200.0, true));
   const auto count = [](const std::string& text, const std::string& what) {
@@ -376,7 +374,7 @@ TEST_CASE("gnuplot and SVG get every area, in finite numbers", "[unit][picture]"
 }
 
 TEST_CASE("Cameras and pictures refuse invalid input", "[unit][picture]") {
-  const std::vector<PictureBox> cube = {upright(Vec3(0.0, 0.5, 0.0), Vec3::Ones())};
+  const std::vector<PictureBox> cube = {drawn_box(Vec3(0.0, 0.5, 0.0), Vec3::Ones())};
   const auto camera = [&](const Vec3& direction, double width, double height) {
     return camera_for(cube, direction, width, height, true);
   };

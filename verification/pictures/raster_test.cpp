@@ -7,8 +7,6 @@
 
 #include "support/test.hpp"
 
-using namespace tumble;
-
 namespace {
 
 std::array<int, 3> pixel(const Raster& raster, int x, int y) {

@@ -40,7 +40,6 @@ inline Mat3 cross_matrix(const Vec3& a) {
 
 // Accelerations of all links.
 // bodies: masses, inertia, velocities that the joints permit; one for each link
-// gravity_w: [m/s²]
 // Returns angular and, at the centres, linear accelerations
 inline std::vector<Spatial> articulated_accelerations(const std::vector<HungLink>& links,
                                                       const std::vector<MovingBody>& bodies,

@@ -10,9 +10,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // Contacts that depend on each other: A = J Jᵀ with fewer columns than rows, b in its range so that there is an answer.
 LcpProblem coupled(std::uint64_t seed, int rows, int columns) {
   Random chance(seed);
@@ -33,7 +30,7 @@ LcpProblem coupled(std::uint64_t seed, int rows, int columns) {
 double forces_energy(const LcpProblem& problem, const LcpResult& result) {
   double sum = 0.0;
   for (int i = 0; i < problem.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const auto k = idx(i);
     sum += 0.5 * result.f[k] * (result.a[k] + problem.b[i]);
   }
   return sum;

@@ -12,9 +12,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // Bodies of chance in joints of chance, each with an earlier one; the first may be immovable.
 struct RandomTree {
   std::vector<MovingBody> bodies;
@@ -75,7 +72,7 @@ VecX dense_answer(const RandomTree& tree, const std::vector<Vec6>& body_part,
       right[at + i] = joint_part[j][i];
       for (const auto& [body, rows] :
            {std::pair{joint.first, &joint.on_first}, std::pair{joint.second, &joint.on_second}}) {
-        if (!movable(tree.bodies[static_cast<std::size_t>(body)])) continue;
+        if (!movable(tree.bodies[idx(body)])) continue;
         H.block<1, 6>(at + i, 6 * body) = -rows->row(i);
         H.block<6, 1>(6 * body, at + i) = -rows->row(i).transpose();
       }
@@ -98,7 +95,7 @@ struct HungBoxes {
     std::vector<Vec3> spin_w{Vec3::Zero()}, speed_w{Vec3::Zero()};
     for (int k = 1; k <= count; ++k) {
       const int parent = k == 1 ? 0 : 1 + (k - 2) / children;
-      const auto p = static_cast<std::size_t>(parent);
+      const auto p = idx(parent);
       const BodyState& on = world.states()[p];
       const Vec3 anchor_w = on.position_w + on.orientation_wb * chance.in_cube(0.5);
       const Quat turn = chance.orientation();
@@ -109,7 +106,7 @@ struct HungBoxes {
       const BodyProperties box = box_properties(Vec3(1.0, 0.4, 0.7), chance.uniform(0.5, 2.0));
       world.add(box, anchor_w + arm_w, turn, speed_w.back(), spin_w.back());
       Joint joint{.first = parent, .second = k, .count = 1, .hold = JointHold::corner};
-      const BodyState& own = world.states()[static_cast<std::size_t>(k)];
+      const BodyState& own = world.states()[idx(k)];
       const BodyState& other = world.states()[p];
       joint.corners_first_b[0] = other.orientation_wb.conjugate() * (anchor_w - other.position_w);
       joint.corners_second_b[0] = own.orientation_wb.conjugate() * (anchor_w - own.position_w);
@@ -214,7 +211,7 @@ TEST_CASE("A chain that closes a loop keeps all its joints together", "[exact][a
   CHECK(forces.on_second(6).force_w.norm() > 1.0);
   const auto acceleration = [&](int body, const Vec3& point_w) -> Vec3 {
     if (body == 0) return Vec3::Zero();
-    const auto k = static_cast<std::size_t>(body);
+    const auto k = idx(body);
     const MovingBody& m = moving[k];
     const Vec3 spin_w = hung.world.states()[k].angular_momentum_w;
     const Vec3 turns_w =

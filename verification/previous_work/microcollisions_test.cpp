@@ -10,9 +10,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // [m] how far a flat box is down a tilted plane after ten seconds, and how fast it moved on average in the second half
 struct Slide {
   double way = 0.0, speed = 0.0;

@@ -12,9 +12,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 ImpactName impact(int number) { return {BodyId{0}, BodyId{1}, number}; }
 
 // Three motions: A with one impact in half of the cases, B and C with three impacts in a quarter each.
@@ -28,7 +25,7 @@ int motion_of(const ImpactNoise& noise) {
 
 NoisyMotion three_motions(const ImpactNoise& noise) {
   const int motion = motion_of(noise);
-  NoisyMotion result{kViolations[static_cast<std::size_t>(motion)], {impact(0)}, true};
+  NoisyMotion result{kViolations[idx(motion)], {impact(0)}, true};
   if (motion > 0) result.impacts.insert(result.impacts.end(), {impact(1), impact(2)});
   return result;
 }
@@ -93,9 +90,9 @@ TEST_CASE(
     const NoiseChain::Step step = chain.propose(three_motions);
     const int proposed = motion_of(step.noise);
     const int after = step.proposal.accepted ? proposed : before;
-    if (before >= 0) ++ways[static_cast<std::size_t>(before)][static_cast<std::size_t>(after)];
+    if (before >= 0) ++ways[idx(before)][idx(after)];
     before = after;
-    visits[static_cast<std::size_t>(after)] += 1.0 / steps;
+    visits[idx(after)] += 1.0 / steps;
     chain.take(step);
   }
   double sum = 0.0;

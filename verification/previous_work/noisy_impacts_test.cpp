@@ -6,10 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
-constexpr double kFrame = 1.0 / 60.0;  // [s]
-
 // Two boxes that fly into each other without gravity, or one onto the ground with it.
 World meeting(std::uint64_t seed, bool ground) {
   Random chance(seed);

@@ -10,22 +10,13 @@
 #include "impulse_damped/scene_runs.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <array>
-#include <numbers>
-
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
-constexpr double kEarth = 9.81;  // [m/s²]
 constexpr std::array<double, 3> kSteps{1.0 / 60.0, 0.25, 1.0};
 
 // A cube on level ground, seen from above it.
 World falling_cube(double height, double restitution) {
-  World world;
-  world.add_ground(0.5, restitution);
+  World world = ground_world(0.5, restitution);
   const BodyProperties cube = box_properties(Vec3::Ones(), 2.0);
   world.add(cube, make_state(cube, Vec3(0.0, height, 0.0)));
   return world;
@@ -36,7 +27,8 @@ World falling_cube(double height, double restitution) {
 TEST_CASE("A box that falls lands in one step of any length", "[exact][optimised]") {
   for (const double dt : kSteps) {
     CAPTURE(dt);
-    World world = falling_cube(0.5 + 0.4 * kEarth * dt * dt, 0.0);  // lower than it falls in a step
+    World world =
+        falling_cube(0.5 + 0.4 * kGravity * dt * dt, 0.0);  // lower than it falls in a step
     Optimised technique;
     const StepReport report = technique.step(world, dt);
     CHECK(report.status == StepStatus::done);
@@ -45,7 +37,7 @@ TEST_CASE("A box that falls lands in one step of any length", "[exact][optimised
     CHECK(angle_between(world.states()[1].orientation_wb, Quat::Identity()) < 1e-9);
     double push = 0.0;
     for (const ContactRecord& contact : technique.contacts()) push += contact.push_w.y();
-    CHECK(push == near(2.0 * kEarth * dt).epsilon(1e-5));  // all that gravity has given it
+    CHECK(push == near(2.0 * kGravity * dt).epsilon(1e-5));  // all that gravity has given it
     CHECK(technique.work().poses > 0);
     CHECK(technique.work().momenta > 0);
   }
@@ -55,8 +47,7 @@ TEST_CASE(
     "Nearest poses of two boxes divide their overlap by their masses, and least energy makes them "
     "one",
     "[exact][optimised]") {
-  World world;
-  world.gravity_w.setZero();
+  World world = weightless_world();
   const BodyProperties light = box_properties(Vec3::Ones(), 1.0);
   const BodyProperties heavy = box_properties(Vec3::Ones(), 3.0);
   world.add(light, make_state(light, Vec3(0.0, 0.0, 0.0), Quat::Identity(), Vec3(2.0, 0.0, 0.0),
@@ -83,7 +74,7 @@ TEST_CASE("A stack stands under optimisation at steps of any length", "[exact][o
     Optimised technique;
     double weight = 0.0;
     for (const BodyProperties& body : world.bodies())
-      if (body.movable()) weight += body.mass * kEarth;
+      if (body.movable()) weight += body.mass * kGravity;
     for (int k = 0; k < 20; ++k) CHECK(technique.step(world, dt).status == StepStatus::done);
     CHECK(distance_of(world, start) < 1e-6);  // [m]
     double push = 0.0;
@@ -99,7 +90,7 @@ TEST_CASE("Friction of optimisation holds a box on a slope, or slides it along t
   const double slope = std::numbers::pi / 9.0;
   for (const double friction : {0.4, 0.2}) {
     World world;
-    world.gravity_w = kEarth * Vec3(elementary::sin(slope), -elementary::cos(slope), 0.0);
+    world.gravity_w = kGravity * Vec3(elementary::sin(slope), -elementary::cos(slope), 0.0);
     world.add_ground(friction, 0.0);
     const BodyProperties box = box_properties(Vec3(2.0, 0.5, 2.0), 1.0, friction);
     world.add(box, make_state(box, Vec3(0.0, 0.25, 0.0)));
@@ -107,8 +98,8 @@ TEST_CASE("Friction of optimisation holds a box on a slope, or slides it along t
     for (int k = 0; k < 8; ++k) technique.step(world, 0.125);
     const double along = std::max(0.0, elementary::sin(slope) - friction * elementary::cos(slope));
     CAPTURE(friction);
-    CHECK(world.states()[1].position_w.x() == near(0.5 * kEarth * along).margin(1e-4));
-    CHECK(world.states()[1].linear_momentum_w.x() == near(kEarth * along).margin(1e-4));
+    CHECK(world.states()[1].position_w.x() == near(0.5 * kGravity * along).margin(1e-4));
+    CHECK(world.states()[1].linear_momentum_w.x() == near(kGravity * along).margin(1e-4));
   }
 }
 
@@ -126,8 +117,7 @@ TEST_CASE("A bounce under optimisation ends its step with the speed of the start
 TEST_CASE("An elastic bounce under optimisation keeps its speed, whatever that is",
           "[exact][optimised]") {
   for (const double speed : {1.0, 2.0, 3.0, 5.0, 7.0}) {
-    World world;
-    world.gravity_w.setZero();
+    World world = weightless_world();
     const BodyProperties wall = fixed_box_properties(Vec3(0.2, 2.0, 2.0), 0.0, 1.0);
     const BodyProperties cube = box_properties(Vec3::Constant(0.3), 1.0, 0.0, 1.0);
     world.add(wall, make_state(wall, Vec3(1.0, 0.0, 0.0)));
@@ -151,8 +141,7 @@ TEST_CASE("Momentum is kept by optimisation without ground, and energy never ris
   CHECK((linear_momentum(free) - momentum).norm() < 1e-12);  // [kg m/s] measured: 1e-15
 
   // A clump that falls, with and without bounces, and a box that slides under a cube that stands on its edge and lifts it.
-  World lifted;
-  lifted.add_ground(0.0, 0.0);
+  World lifted = ground_world(0.0, 0.0);
   const BodyProperties plate = box_properties(Vec3(3.0, 1.0, 3.0), 50.0, 0.0);
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0, 0.0);
   lifted.add(plate, make_state(plate, Vec3(-1.6, 0.5, 0.0), Quat::Identity(), Vec3(8.0, 0.0, 0.0),
@@ -185,8 +174,7 @@ TEST_CASE("A bar that rotates into boxes gains hardly any energy by being turned
   Random random(5);
   for (int k = 0; k < 40; ++k) {
     CAPTURE(k);
-    Scene scene;
-    scene.gravity_w.setZero();
+    Scene scene{.gravity_w = Vec3::Zero()};
     SceneBox bar;
     bar.size = Vec3(random.uniform(1.0, 3.0), 0.06, 0.06);
     bar.angular_velocity_w.y() = random.uniform(20.0, 60.0);
@@ -209,8 +197,7 @@ TEST_CASE(
     "A way that is not finished within the rounds is reported, and bodies pass through nothing",
     "[unit][optimised]") {
   // 20 m in a step, through a wall a hundredth as thick as the way.
-  World world;
-  world.gravity_w.setZero();
+  World world = weightless_world();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
   world.add(cube, make_state(cube, Vec3(-10.0, 0.0, 0.0), Quat::Identity(), Vec3(20.0, 0.0, 0.0),
                              Vec3::Zero()));
@@ -245,7 +232,7 @@ TEST_CASE("A cube that spins fast on the ground is braked under optimisation and
     // The weight at the corners, with the lever 1/sqrt(2) and a moment of inertia of m/6.
     const double friction = 0.5;
     CHECK(angular_velocity(cube, state).y() ==
-          near(spin - 6.0 * friction * kEarth * dt / std::numbers::sqrt2).epsilon(1e-6));
+          near(spin - 6.0 * friction * kGravity * dt / std::numbers::sqrt2).epsilon(1e-6));
     for (int k = 1; k < 60; ++k) technique.step(world, dt);
     CHECK(state.position_w.y() == near(0.5).margin(1e-6));
   }

@@ -10,9 +10,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // A cube of 2 kg at a height above the ground [m], with a speed along y [m/s].
 World cube_above(double height, double speed, double gravity, double restitution = 0.0) {
   World world;

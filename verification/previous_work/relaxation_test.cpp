@@ -7,9 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 World falling_cube() {
   World world = ground_world();
   world.add(box_properties(Vec3::Ones(), 2.0), Vec3(0.0, 1.5, 0.0));

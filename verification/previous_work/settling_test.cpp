@@ -7,9 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // Force and torque of all contacts on a body.
 struct Load {
   Vec3 force_w = Vec3::Zero(), torque_w = Vec3::Zero();
@@ -47,8 +44,7 @@ TEST_CASE("The nearest motion of a cube above the ground stops at the ground",
   CHECK((bodies[1].velocity_w - Vec3(0.3, -0.1, 0.0)).norm() < 1e-12);
   CHECK(bodies[1].angular_velocity_w.norm() < 1e-12);
   double push = 0.0;
-  for (int k = 0; k < 4; ++k)
-    push += contacts[0].points[static_cast<std::size_t>(k)].normal_impulse;
+  for (int k = 0; k < 4; ++k) push += contacts[0].points[idx(k)].normal_impulse;
   CHECK(push == near(2.0 * 0.3, 1e-11));  // m times what is missing
   CHECK(program.multiplications() >= 16);
 }

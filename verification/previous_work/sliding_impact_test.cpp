@@ -6,8 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
 // An impact in a plane: yields a across the normal, b between, c along it.
 struct Flat {
   double a, b, c;         // [1/kg]

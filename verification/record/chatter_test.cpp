@@ -6,10 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
-constexpr double kGravity = 9.81;  // [m/s²]
-
 // A unit cube led along a path by hand, always in contact unless a test says otherwise.
 struct Led {
   std::function<BodyState(double)> path;  // state at a time [s]
@@ -150,7 +146,7 @@ TEST_CASE("Each body that rests is reported with its own chatter", "[exact][reco
   // In turn: one that is fixed, one to and fro in every frame by a, one that slides, one to and fro in
   // four frames by 3 a, one that loses contact, one that is still.
   const double a = 1e-4;  // [m]
-  World world = test::ground_world();
+  World world = ground_world();
   const BodyProperties cube = box_properties(Vec3::Ones(), 1.0);
   world.add(fixed_box_properties(Vec3::Ones()), at(Vec3(-3.0, 0.5, 0.0)));
   std::vector<BodyId> ids;

@@ -12,10 +12,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-namespace fs = std::filesystem;
-
 std::vector<std::vector<std::string>> rows_of(const fs::path& path) {
   std::ifstream in(path);
   std::vector<std::vector<std::string>> rows;
@@ -53,7 +49,7 @@ struct Recorder : RunObserver {
 };
 
 // Moves all bodies straight ahead, and spoils something in one step.
-class Spoiler : public Technique {
+class Spoiler : public Cloned<Technique, Spoiler> {
  public:
   Spoiler(int step, bool momentum) : bad_(step), momentum_(momentum) {}
   std::string_view name() const override { return "spoiler"; }
@@ -66,7 +62,6 @@ class Spoiler : public Technique {
     }
     return {};
   }
-  std::unique_ptr<Technique> clone() const override { return std::make_unique<Spoiler>(*this); }
 
  private:
   int bad_;
@@ -96,7 +91,7 @@ TEST_CASE("The filtered trajectory has the filter's poses, the same rows and com
       REQUIRE(static_cast<int>(run.frames.size()) == shown.count());
       int late = 0;
       for (int f = 0; f < shown.count(); ++f) {
-        const RecordedFrame& frame = run.frames[static_cast<std::size_t>(f)];
+        const RecordedFrame& frame = run.frames[idx(f)];
         CHECK(frame.time == shown.frame(f).time);
         const auto states = shown.frame(f).states.subspan(1);  // the ground has no rows
         REQUIRE(frame.poses.size() == states.size());

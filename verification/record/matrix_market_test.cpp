@@ -11,7 +11,6 @@
 
 namespace {
 
-using namespace tumble;
 using Catch::Matchers::StartsWith;
 
 const std::string kArray = "%%MatrixMarket matrix array real general\n";

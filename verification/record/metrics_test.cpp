@@ -8,8 +8,6 @@
 
 namespace {
 
-using namespace tumble;
-
 BodyId add(World& world, const Vec3& position_w, const Quat& orientation_wb = Quat::Identity(),
            bool fixed = false) {
   const BodyProperties body =
@@ -86,7 +84,7 @@ TEST_CASE("The deepest overlap is that of the closed form", "[exact][record]") {
 
 TEST_CASE("A world that has become infinite is reported as such and nothing throws",
           "[unit][record]") {
-  World world = test::ground_world();
+  World world = ground_world();
   add(world, Vec3(0.0, 1.0, 0.0));
   MetricsMeter meter;
   meter.begin(world);

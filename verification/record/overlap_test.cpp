@@ -6,8 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
 void add(World& world, const Vec3& position_w, bool fixed = false,
          const Quat& orientation_wb = Quat::Identity()) {
   const BodyProperties body =
@@ -18,7 +16,7 @@ void add(World& world, const Vec3& position_w, bool fixed = false,
 }  // namespace
 
 TEST_CASE("How deep a body is in others is the deepest of its pairs", "[exact][record]") {
-  World world = test::ground_world();
+  World world = ground_world();
   add(world, Vec3(0.0, 0.375, 0.0));        // 1: 1/8 m in the ground
   add(world, Vec3(0.0, 1.3125, 0.0));       // 2: 1/16 m in 1
   add(world, Vec3(0.96875, 1.34375, 0.0));  // 3: 1/32 m in 2

@@ -4,7 +4,6 @@
 
 #include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
-#include "tumble/record/hit_check.hpp"
 #include "tumble/record/passage_check.hpp"
 #include "tumble/record/run.hpp"
 
@@ -12,10 +11,8 @@
 
 namespace {
 
-using namespace tumble;
-
 // Moves all bodies as if there were no contacts.
-class Ghosts : public Technique {
+class Ghosts : public Cloned<Technique, Ghosts> {
  public:
   double gain = 1.0;  // [-] of momentum, in each step
 
@@ -27,9 +24,6 @@ class Ghosts : public Technique {
     }
     world.finish_step(dt);
     return {};
-  }
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override {
-    return std::make_unique<Ghosts>(*this);
   }
 };
 
@@ -60,8 +54,7 @@ RunResult ran(const Scene& scene, double gain = 1.0) {
 }
 
 Scene two(const Vec3& second_w, const Vec3& first_velocity_w, const Vec3& second_velocity_w) {
-  Scene scene;
-  scene.gravity_w.setZero();
+  Scene scene{.gravity_w = Vec3::Zero()};
   scene.boxes = {cube("left", Vec3(-2.2, 0.0, 0.0), first_velocity_w),
                  cube("right", second_w, second_velocity_w)};
   return scene;
@@ -84,8 +77,7 @@ Scene falling_rod() {
 
 // Flies and turns by two radians in 0.1085 s.
 Scene spinning_plate() {
-  Scene scene;
-  scene.gravity_w.setZero();
+  Scene scene{.gravity_w = Vec3::Zero()};
   SceneBox box{.size = Vec3(4.4, 2.3, 0.36), .angular_velocity_w = Vec3(-2.5, -5.7, -17.5)};
   scene.boxes = {box};
   return scene;
@@ -193,8 +185,7 @@ TEST_CASE("A body that spins through a thin one within a step is found", "[unit]
 
 // A rod of 4 m that turns about its middle, and a cube of 0.3 m in the way of its end.
 Scene rotor(double spin) {
-  Scene scene;
-  scene.gravity_w.setZero();
+  Scene scene{.gravity_w = Vec3::Zero()};
   scene.boxes = {cube("rotor", Vec3::Zero(), Vec3::Zero()),
                  cube("cube", Vec3(1.6, 0.0, -1.0), Vec3::Zero())};
   scene.boxes[0].size = Vec3(4.0, 0.2, 0.2);

@@ -15,10 +15,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-namespace fs = std::filesystem;
-
 // Keeps every state that a run goes through.
 struct Keeper : RunObserver {
   std::vector<World> worlds;

@@ -10,10 +10,8 @@
 
 namespace {
 
-using namespace tumble;
-
 // A technique that does what a test wants. The default: time passes and nothing moves.
-class Puppet : public Technique {
+class Puppet : public Cloned<Technique, Puppet> {
  public:
   std::function<StepReport(World&, int)> act = [](World&, int) { return StepReport{}; };
   std::vector<double> steps;  // [s] the lengths that were asked for
@@ -25,9 +23,6 @@ class Puppet : public Technique {
     world.finish_step(dt);
     if (observer() != nullptr && report.events > 0) observer()->on_event(Event{});
     return report;
-  }
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override {
-    return std::make_unique<Puppet>(*this);
   }
   [[nodiscard]] bool is_watched() const { return observer() != nullptr; }
 };

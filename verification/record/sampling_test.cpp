@@ -8,14 +8,11 @@
 
 namespace {
 
-using namespace tumble;
-
 constexpr RunSettings kShort{.duration = 1.0};
 
 // A die of 2 cm that falls from 20 cm.
 Scene thrown_die() {
-  Scene scene;
-  scene.ground.emplace();
+  Scene scene{.ground = SceneGround{}};
   scene.boxes.push_back({.name = "die",
                          .size = Vec3::Constant(0.02),
                          .mass = 0.01,

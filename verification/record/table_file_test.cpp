@@ -12,13 +12,6 @@
 #include <filesystem>
 #include <sys/resource.h>
 
-namespace {
-
-using namespace tumble;
-using namespace tumble::test;
-
-}  // namespace
-
 TEST_CASE(
     "A table has the shortest digits that keep the bits, quotes where CSV asks for them, and whole "
     "rows",

@@ -1,14 +1,10 @@
 /// \file
 /// \brief Scenes in which boxes touch: gaps of 0 at the start, boxes where their settings put them.
-#include "tumble/geometry/ground.hpp"
 
 #include "support/scenes.hpp"
 #include "support/test.hpp"
 
 namespace {
-
-using namespace tumble;
-using namespace tumble::test;
 
 const SceneBox& called(const Scene& scene, const std::string& name) {
   const auto found =

@@ -7,9 +7,6 @@
 #include "support/scenes.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 TEST_CASE("Every built-in scene is accepted with its defaults", "[unit][scenes]") {
   std::set<std::string_view> names;
   for (const SceneRecipe& recipe : scene_library()) {

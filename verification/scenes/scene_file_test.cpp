@@ -11,7 +11,6 @@
 
 namespace {
 
-using namespace tumble;
 using tumble::test::kBox, tumble::test::refusal;
 
 bool same_bits(const Scene& a, const Scene& b) {

@@ -7,9 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // A fixed box, one that hangs below it, and one that comes later; then the tables that follow.
 std::string hung(const std::string& more) {
   return "[[box]]\nname = \"hook\"\nfixed = true\nsize = [1, 1, 1]\nposition = [0, 4, 0]\n"  // 1

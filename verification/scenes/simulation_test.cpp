@@ -8,12 +8,10 @@
 
 namespace {
 
-using namespace tumble;
-
 constexpr double kDt = 1.0 / 64.0;  // [s] times are sums of it without rounding
 
 // Bodies fly straight and through each other, with no weight; a step does what a test wants besides.
-class Puppet : public Technique {
+class Puppet : public Cloned<Technique, Puppet> {
  public:
   std::function<StepReport(World&)> act = [](World&) { return StepReport{}; };
 
@@ -24,9 +22,6 @@ class Puppet : public Technique {
     const StepReport report = act(world);
     world.finish_step(dt);
     return report;
-  }
-  [[nodiscard]] std::unique_ptr<Technique> clone() const override {
-    return std::make_unique<Puppet>(*this);
   }
 };
 
@@ -353,8 +348,7 @@ TEST_CASE(
 
 TEST_CASE("Values out of the range of a scene are refused with body, value and remedy",
           "[unit][scenes]") {
-  Scene start;
-  start.ground.emplace();
+  Scene start{.ground = SceneGround{}};
   SceneBox box;
   box.name = "die";
   box.position_w = Vec3(0.0, 2.0, 0.0);

@@ -7,9 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 std::vector<std::string> names_of(const Scene& scene) {
   std::vector<std::string> names;
   for (const SceneBox& box : scene.boxes) names.push_back(box.name);

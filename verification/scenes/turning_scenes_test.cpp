@@ -6,9 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // [m] The deepest overlap of two boxes of a scene.
 double deepest_overlap(const Scene& scene) {
   double deepest = 0.0;
@@ -38,7 +35,7 @@ TEST_CASE("The column of figure 6.1 leans over the edge by the angle that is ask
       INFO(count << " boxes, " << angle << " rad");
       const Scene scene =
           built("fig6_1", {{"count", std::to_string(count)}, {"angle", angle}, {"spin", "2"}});
-      REQUIRE(scene.boxes.size() == static_cast<std::size_t>(count) + 1);
+      REQUIRE(scene.boxes.size() == idx(count) + 1);
       CHECK(scene.boxes[0].fixed);
       Vec3 centre_w = Vec3::Zero();
       for (std::size_t k = 1; k < scene.boxes.size(); ++k)

@@ -7,13 +7,9 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // A box of 1 x 2 x 4 m, and what a wish says of it somewhere else.
 double missed(const Wish& asked, const Vec3& at_w, const Vec3& turn_deg, const Vec3& velocity_w) {
-  Scene scene;
-  scene.ground.emplace();
+  Scene scene{.ground = SceneGround{}};
   scene.boxes.push_back(
       {.name = "die", .size = Vec3(1.0, 2.0, 4.0), .position_w = {0.0, 1.0, 0.0}});
   Wish wish = asked;

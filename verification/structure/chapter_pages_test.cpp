@@ -3,10 +3,7 @@
 #include "structure/source_tree.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <map>
 #include <regex>
-#include <utility>
 
 namespace tumble::structure {
 namespace {

@@ -3,10 +3,7 @@
 #include "structure/source_tree.hpp"
 #include "support/catch.hpp"
 
-#include <map>
-#include <optional>
 #include <regex>
-#include <set>
 
 namespace tumble::structure {
 namespace {

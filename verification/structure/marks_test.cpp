@@ -5,9 +5,6 @@
 #include "structure/source_tree.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <set>
-
 namespace tumble::structure {
 namespace {
 

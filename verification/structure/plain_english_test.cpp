@@ -3,7 +3,6 @@
 #include "structure/source_tree.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
 #include <cctype>
 #include <regex>
 

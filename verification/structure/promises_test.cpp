@@ -3,10 +3,7 @@
 #include "structure/source_tree.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
-#include <map>
 #include <regex>
-#include <set>
 
 namespace tumble::structure {
 namespace {
@@ -143,9 +140,10 @@ bool defines_tolerances(const SourceFile& file) {
 }
 
 // Decimal literals above 0 and below 1e-2 outside of files that define tolerances. Named ones (constexpr) and
-// the ranges of options (add_number) are allowed.
+// the ranges of options (number) are allowed.
 Complaints bare_small_literals(const std::vector<SourceFile>& files) {
   static const std::regex literal(R"x((^|[^\w.'])(\d[\d']*\.?\d*[eE]-\d+|0?\.\d+(?:[eE]-\d+)?))x");
+  static const std::regex range_of_option("\\bnumber\\(");
   Complaints complaints;
   const std::sregex_iterator end;
   for (const SourceFile& file : files) {
@@ -164,7 +162,7 @@ Complaints bare_small_literals(const std::vector<SourceFile>& files) {
         const std::size_t before = code.find_last_of(";{}", offset);
         const std::string statement = code.substr(before + 1, offset - before - 1);
         const bool named = statement.find("constexpr") != std::string::npos;
-        const bool range = statement.find("add_number") != std::string::npos;
+        const bool range = std::regex_search(statement, range_of_option);
         if (!named && !range)
           complaints.push_back(place(file, line_at(code, offset)) + (*m)[2].str() +
                                ": give it a name, unit and reason in the folder's tolerances.hpp");
@@ -262,8 +260,8 @@ TEST_CASE("An unused tolerance, a bare small literal and an unknown command are 
   CHECK(bare_small_literals(
             {{"src/tumble/math/a.cpp",
               "double a = 0.0;\nif (b < 1e-4 * c) f(.005);\nx = 0.25 + 0x1p-20; // 1e-9\n"
-              "constexpr double kClose = 1e-9;\np.add_number(\"size\", 1.0, 1e-3, 1e3, \"m\", "
-              "\"edge\");\n"}})
+              "constexpr double kClose = 1e-9;\np.add(number(\"size\", 1.0, 1e-3, 1e3, \"m\", "
+              "\"edge\"));\n"}})
             .size() == 2);
   CHECK(unknown_commands({"a.md", "`make test`, they make sense\nmake fly\n"},
                          {"Makefile", "test:\n\tx\n"}) ==

@@ -20,58 +20,40 @@ using Complaints = std::vector<std::string>;
 
 /// Every text file that belongs to the project, in the order of their paths. Folders that are made
 /// by building or running (build, runs) and hidden ones other than .ci are left out.
-/// \return paths and texts
 /// \throws std::runtime_error if the source folder has gone or a file cannot be read
 std::vector<SourceFile> project_files();
 
 /// The file with a path.
-/// \param files  to look in
-/// \param path   from the root of the project
-/// \return it
 /// \throws std::runtime_error if there is none
 const SourceFile& file_called(const std::vector<SourceFile>& files, const std::string& path);
 
-/// The files of one folder.
-/// \param files   to choose from
+/// The C++ files of one folder, .hpp and .cpp.
 /// \param folder  the beginning of their paths, for example "src/"
-/// \return those that are C++: .hpp and .cpp
 std::vector<SourceFile> code_in(const std::vector<SourceFile>& files, std::string_view folder);
 
-/// Splits a text.
-/// \param text any text
-/// \return its lines without their ends
+/// The lines of a text, without their ends.
 std::vector<std::string> lines_of(const std::string& text);
 
 /// C++ without its comments and without the insides of its string and character literals, which
 /// become blanks: lines and columns stay where they were.
 /// \param text C++ source; raw strings are understood
-/// \return a text of the same length
 std::string code_of(const std::string& text);
 
 /// The comments of a C++ text, line by line: what follows `//`.
-/// \param text C++ source
 /// \return one string for each line, empty where there is no such comment
 std::vector<std::string> comments_of(const std::string& text);
 
 /// Whether a character can be in the middle of a name of C++.
-/// \param c any character
 /// \return true for letters, digits and underscores
 bool in_name(char c);
 
-/// Which line a place in a text is on.
-/// \param text    any text
-/// \param offset  a place in it
-/// \return from 1
+/// Which line a place in a text is on, from 1.
 std::size_t line_at(const std::string& text, std::size_t offset);
 
-/// How a complaint begins.
-/// \param file  the file
-/// \param line  the line, from 1
-/// \return "path:line: "
+/// How a complaint begins: "path:line: ".
 std::string place(const SourceFile& file, std::size_t line);
 
 /// Fails the test with each complaint.
-/// \param complaints what was found
 void expect_none(const Complaints& complaints);
 
 }  // namespace tumble::structure

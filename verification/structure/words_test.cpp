@@ -3,9 +3,7 @@
 #include "structure/source_tree.hpp"
 #include "support/catch.hpp"
 
-#include <algorithm>
 #include <cctype>
-#include <set>
 
 namespace tumble::structure {
 namespace {

@@ -11,8 +11,10 @@
 
 namespace tumble::test {
 
+namespace fs = std::filesystem;
+
 // Reads a whole file.
-inline std::string content(const std::filesystem::path& path) {
+inline std::string content(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::ostringstream out;
   out << in.rdbuf();
@@ -20,7 +22,7 @@ inline std::string content(const std::filesystem::path& path) {
 }
 
 // Reads the lines of a file.
-inline std::vector<std::string> lines_of(const std::filesystem::path& path) {
+inline std::vector<std::string> lines_of(const fs::path& path) {
   std::ifstream in(path);
   std::vector<std::string> lines;
   for (std::string line; std::getline(in, line);) lines.push_back(line);
@@ -31,21 +33,20 @@ inline std::vector<std::string> lines_of(const std::filesystem::path& path) {
 struct Folder {
   // Makes sure that it is not there.
   explicit Folder(const std::string& name)
-      : path(std::filesystem::temp_directory_path() /
-             ("tumble_test_" + name + '_' + std::to_string(getpid()))) {
-    std::filesystem::remove_all(path);
+      : path(fs::temp_directory_path() / ("tumble_test_" + name + '_' + std::to_string(getpid()))) {
+    fs::remove_all(path);
   }
-  ~Folder() { std::filesystem::remove_all(path); }
+  ~Folder() { fs::remove_all(path); }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
   // A path in the folder, which is made.
-  [[nodiscard]] std::filesystem::path file(const std::string& name) const {
-    std::filesystem::create_directories(path);
+  [[nodiscard]] fs::path file(const std::string& name) const {
+    fs::create_directories(path);
     return path / name;
   }
   // Names the folder.
   [[nodiscard]] std::string text() const { return path.string(); }
-  std::filesystem::path path;  // where it is
+  fs::path path;  // where it is
 };
 
 }  // namespace tumble::test

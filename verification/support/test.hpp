@@ -2,6 +2,7 @@
 /// \brief The usual headers of a test: Catch2, and the scenes, techniques, numbers and chance of the library.
 #pragma once
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/random.hpp"
@@ -25,7 +26,6 @@ inline constexpr double kGravity = 9.81;      // [m/s²] of every scene with gra
 
 // A world with level ground.
 // friction: [-]
-// restitution: [-]
 inline World ground_world(double friction = 0.5, double restitution = 0.0) {
   World world;
   world.add_ground(friction, restitution);
@@ -47,3 +47,7 @@ inline std::vector<MovingBody> moving_bodies(const World& world) {
 }
 
 }  // namespace tumble::test
+
+// Every test speaks of these.
+using namespace tumble;
+using namespace tumble::test;

@@ -27,7 +27,6 @@ inline ContactList contacts_within(const World& world, double margin) {
 }
 
 // A contact of one point, put down by hand.
-// position_w: [m]
 // normal_w: [-] from the first to the second
 // friction: [-]
 inline Contact contact_at(int first, int second, const Vec3& position_w, const Vec3& normal_w,
@@ -45,29 +44,23 @@ struct Pile {
   double margin = 1e-9;  // [m] surfaces up to this far apart count as touching
 
   // Adds a movable box.
-  // position_w: [m]
   // size: [m] full edges
   // mass: [kg]
   // friction: [-]
-  // orientation_wb: [-]
   int add(const Vec3& position_w, const Vec3& size = Vec3::Ones(), double mass = 1.0,
           double friction = 0.0, const Quat& orientation_wb = Quat::Identity()) {
     return put(box_properties(size, mass, friction), position_w, orientation_wb);
   }
 
   // Adds an immovable box.
-  // position_w: [m]
   // size: [m] full edges
   // friction: [-]
-  // orientation_wb: [-]
   int add_fixed(const Vec3& position_w, const Vec3& size = Vec3::Ones(), double friction = 0.0,
                 const Quat& orientation_wb = Quat::Identity()) {
     return put(fixed_box_properties(size, friction), position_w, orientation_wb);
   }
 
   // Adds a body; what was gathered is forgotten.
-  // position_w: [m]
-  // orientation_wb: [-]
   int put(const BodyProperties& body, const Vec3& position_w,
           const Quat& orientation_wb = Quat::Identity()) {
     world.add(body, position_w, orientation_wb);

@@ -9,9 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 SceneBox cube(const std::string& name, double edge, double mass, const Vec3& position_w,
               const Vec3& velocity_w, double restitution) {
   return {.name = name,
@@ -221,8 +218,7 @@ TEST_CASE("A lever that is struck at one end lifts what touches the other one by
   const double q = -across * p / (1.0 / m2 + own);
   REQUIRE(q > 0.0);
   const Quat edge_down = rotation_from_vector(Vec3(0.0, 0.0, std::atan(1.0)));
-  Scene scene;
-  scene.gravity_w.setZero();
+  Scene scene{.gravity_w = Vec3::Zero()};
   const double reach = 0.05 + 0.2 * std::sqrt(0.5);
   SceneBox plank = cube("bar", 1.0, bar, Vec3::Zero(), Vec3::Zero(), e);
   plank.size = Vec3(2.0, 0.1, 0.4);

@@ -6,9 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
-constexpr double kGravity = 9.81;  // [m/s²]
 constexpr std::array<std::string_view, 2> kBoth = {"contact_damped", "time_stepping"};
 
 SceneBox box(const std::string& name, const Vec3& size, const Vec3& position_w, double friction) {
@@ -113,8 +110,7 @@ TEST_CASE("A rod that lands with one end on an edge turns by the closed form",
   const double arm = 1.9;
   const double inertia = (size.x() * size.x() + size.y() * size.y()) / 12.0;
   for (const double restitution : {0.0, 1.0}) {
-    Scene scene;
-    scene.gravity_w.setZero();
+    Scene scene{.gravity_w = Vec3::Zero()};
     scene.boxes = {box("edge", Vec3::Constant(0.2), Vec3(arm, -0.07 - std::sqrt(0.02), 0.0), 0.0),
                    box("rod", size, Vec3::Zero(), 0.0)};
     scene.boxes[0].orientation_wb = about_z(0.25 * std::numbers::pi);

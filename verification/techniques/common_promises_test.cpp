@@ -8,9 +8,6 @@
 #include "support/changed_world.hpp"
 #include "support/test.hpp"
 
-using namespace tumble;
-using namespace tumble::test;
-
 namespace {
 
 std::vector<TechniqueRecipe> all_techniques() {
@@ -89,8 +86,7 @@ TEST_CASE("A scene at the limits of its values is stepped, or refused for a valu
   SceneBox box{.position_w = Vec3(0.0, 0.6, 0.0)};
   SceneBox beside = box;
   beside.position_w.x() = 2.0;
-  Scene still;
-  still.ground.emplace();
+  Scene still{.ground = SceneGround{}};
   still.boxes = {box, beside};
   std::vector<Scene> scenes(4, still);
   scenes[0].gravity_w *= most / 10.0;

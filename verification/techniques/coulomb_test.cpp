@@ -6,9 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // A technique with the accuracies that were measured, or reasons why it has less.
 struct Slider {
   const char* name;

@@ -7,8 +7,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
 using example::Cushion;
 using example::CushionOptions;
 

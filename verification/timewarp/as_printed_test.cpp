@@ -8,9 +8,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 constexpr auto kSimple = TimewarpListing::simple;
 constexpr auto kSafer = TimewarpListing::safer;
 // [-] Times and positions on a line are accurate to a few times the resolution of 1e-6 s.

@@ -6,9 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 World weightless() {
   World world = weightless_world();
   return world;

@@ -6,15 +6,10 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
-double x_of(const World& world, int body) {
-  return world.states()[static_cast<std::size_t>(body)].position_w.x();
-}
+double x_of(const World& world, int body) { return world.states()[idx(body)].position_w.x(); }
 
 double v_of(const World& world, int body) {
-  const auto k = static_cast<std::size_t>(body);
+  const auto k = idx(body);
   return velocity(world.bodies()[k], world.states()[k]).x();
 }
 
@@ -194,8 +189,7 @@ TEST_CASE("A train of bounces ends where its hops get shorter than the resolutio
       double up = 0.05 * e;
       for (int k = 0; k <= std::min(hops, 6); ++k) {
         CAPTURE(k);
-        CHECK(heard.events[static_cast<std::size_t>(k)].time ==
-              near(time, 2.0 * (k + 1) * resolution));
+        CHECK(heard.events[idx(k)].time == near(time, 2.0 * (k + 1) * resolution));
         time += 2.0 * up / g;
         up *= e;
       }

@@ -6,8 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-
 // By brute force: invalid entries are erased, the earliest is searched for.
 class PlainList {
  public:

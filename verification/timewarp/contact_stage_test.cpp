@@ -9,9 +9,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // Cubes of 1 m on top of each other on the ground, exactly touching.
 World tower(int count, double restitution) {
   World world = ground_world(0.5, restitution);

@@ -2,14 +2,13 @@
 /// \brief Crowds and ties, run small.
 #include "tumble/dynamics/flight.hpp"
 
-#include "driver/common_numbers.hpp"
+#include "driver/played_scene.hpp"
 #include "driver/quick.hpp"
 #include "support/test.hpp"
 #include "timewarp/crowd_scenes.hpp"
 #include "timewarp/event_story.hpp"
 #include "timewarp/tie_scenes.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 TEST_CASE("The closed form of a chain gives the three collisions of a worked example",

@@ -3,12 +3,10 @@
 
 #include "driver/played_scene.hpp"
 #include "driver/quick.hpp"
-#include "driver/settings.hpp"
 #include "support/test.hpp"
 #include "timewarp/bands.hpp"
 #include "timewarp/event_story.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {

@@ -6,9 +6,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // Expected positions of bodies without gravity after the reported collisions.
 class DeadReckoning {
  public:

@@ -4,7 +4,6 @@
 #include "support/test.hpp"
 #include "timewarp/cage_runs.hpp"
 
-using namespace tumble;
 using namespace tumble::chapters;
 
 namespace {

@@ -8,9 +8,6 @@
 
 namespace {
 
-using namespace tumble;
-using namespace tumble::test;
-
 // The first collisions of a scene, and whether all searches converged.
 struct Story {
   EventLog events;

@@ -18,7 +18,6 @@
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
 
-#include <memory>
 #include <string>
 #include <vector>
 

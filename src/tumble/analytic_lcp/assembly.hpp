@@ -1,8 +1,6 @@
 /// \file
 /// \brief From bodies that rest on each other to the linear complementarity problem of the forces
 ///        between them (thesis 2.6, 3.3.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/contact.hpp"

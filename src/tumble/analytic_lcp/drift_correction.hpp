@@ -1,7 +1,5 @@
 /// \file
 /// \brief Overlap that the steps of a run pile up is ended without adding energy (thesis 4.4).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/repair.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Bodies in flight under forces that stay as they are (thesis 3.3.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/analytic_lcp/assembly.hpp"

@@ -1,8 +1,6 @@
 /// \file
 /// \brief Lemke's method for contacts with friction whose rows nearly depend on each other (thesis
 ///        2.6.3).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/lcp_solvers/lemke_restarts.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Contact with friction as one linear complementarity problem (thesis 2.6.3).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/contact.hpp"
@@ -33,7 +31,6 @@ struct FrictionPoint {
 /// The part of a vector across a normal.
 /// \param v  [any]
 /// \param n  [-] length 1
-/// \return v - (n·v) n
 inline Vec3 across(const Vec3& v, const Vec3& n) { return v - n.dot(v) * n; }
 
 /// Two directions across a normal for the edges of a pyramid of friction.

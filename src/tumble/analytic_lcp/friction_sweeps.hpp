@@ -1,7 +1,5 @@
 /// \file
 /// \brief Contact with friction by sweeps over the points (thesis 2.6.3).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/analytic_lcp/friction_pyramid.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The time of the next collision among bodies that fly and bodies that rest (thesis 3.3.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/analytic_lcp/forced_flight.hpp"

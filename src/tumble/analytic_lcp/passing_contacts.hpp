@@ -1,7 +1,5 @@
 /// \file
 /// \brief Contacts of bodies that have no contact area until they overlap, and points that a turn brings in.
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/contact.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The technique of Stewart and Trinkle, and of Anitescu and Potra (thesis 2.6.3).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/analytic_lcp/passing_contacts.hpp"
@@ -14,7 +12,6 @@
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
 
-#include <memory>
 #include <vector>
 
 namespace tumble {

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The state of a contact point: about to collide, colliding, at rest, or separating (thesis 3.3.1, 4.3).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/gather.hpp"

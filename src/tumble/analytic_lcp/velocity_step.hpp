@@ -1,7 +1,5 @@
 /// \file
 /// \brief One step from velocities to velocities with contact and friction (thesis 2.6.3).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/analytic_lcp/assembly.hpp"

@@ -48,16 +48,16 @@ class OptionDeclarer {
   /// A number.
   void number(std::string_view key, double field, double low, double high, std::string_view unit,
               std::string_view meaning) {
-    parameters_.add_number(std::string(key), field, low, high, std::string(unit),
-                           std::string(meaning));
+    parameters_.add(declare::number(std::string(key), field, low, high, std::string(unit),
+                                    std::string(meaning)));
   }
   /// A whole number.
   void whole(std::string_view key, int field, int low, int high, std::string_view meaning) {
-    parameters_.add_whole(std::string(key), field, low, high, std::string(meaning));
+    parameters_.add(declare::whole(std::string(key), field, low, high, std::string(meaning)));
   }
   /// A switch.
   void flag(std::string_view key, bool field, std::string_view meaning) {
-    parameters_.add_flag(std::string(key), field, std::string(meaning));
+    parameters_.add(declare::flag(std::string(key), field, std::string(meaning)));
   }
   /// A choice of words.
   /// \param words    the choices; the list for users begins with the default
@@ -69,11 +69,11 @@ class OptionDeclarer {
       const auto place = word.value == field ? choices.begin() : choices.end();
       choices.insert(place, std::string(word.word));
     }
-    parameters_.add_word(std::string(key), std::move(choices), std::string(meaning));
+    parameters_.add(declare::word(std::string(key), std::move(choices), std::string(meaning)));
   }
   /// A text.
   void text(std::string_view key, const std::string& field, std::string_view meaning) {
-    parameters_.add_text(std::string(key), field, std::string(meaning));
+    parameters_.add(declare::text(std::string(key), field, std::string(meaning)));
   }
 
  private:

@@ -37,63 +37,53 @@ std::string complaint(const Parameter& p, std::string_view value) {
 
 }  // namespace
 
-Parameters& Parameters::add_number(std::string key, double initial, double low, double high,
-                                   std::string unit, std::string meaning) {
-  items_.push_back({std::move(key),
-                    ParameterKind::number,
-                    shortest_text(initial),
-                    std::move(unit),
-                    std::move(meaning),
-                    low,
-                    high,
-                    {}});
-  return *this;
+namespace declare {
+
+Parameter number(std::string key, double initial, double low, double high, std::string unit,
+                 std::string meaning) {
+  return {.key = std::move(key),
+          .kind = ParameterKind::number,
+          .value = shortest_text(initial),
+          .unit = std::move(unit),
+          .meaning = std::move(meaning),
+          .low = low,
+          .high = high};
 }
 
-Parameters& Parameters::add_whole(std::string key, std::int64_t initial, std::int64_t low,
-                                  std::int64_t high, std::string meaning) {
-  items_.push_back({std::move(key),
-                    ParameterKind::whole,
-                    std::to_string(initial),
-                    "-",
-                    std::move(meaning),
-                    static_cast<double>(low),
-                    static_cast<double>(high),
-                    {}});
-  return *this;
+Parameter whole(std::string key, std::int64_t initial, std::int64_t low, std::int64_t high,
+                std::string meaning) {
+  return {.key = std::move(key),
+          .kind = ParameterKind::whole,
+          .value = std::to_string(initial),
+          .meaning = std::move(meaning),
+          .low = static_cast<double>(low),
+          .high = static_cast<double>(high)};
 }
 
-Parameters& Parameters::add_flag(std::string key, bool initial, std::string meaning) {
-  items_.push_back({std::move(key),
-                    ParameterKind::flag,
-                    initial ? "on" : "off",
-                    "-",
-                    std::move(meaning),
-                    0.0,
-                    0.0,
-                    {"on", "off"}});
-  return *this;
+Parameter flag(std::string key, bool initial, std::string meaning) {
+  return {.key = std::move(key),
+          .kind = ParameterKind::flag,
+          .value = initial ? "on" : "off",
+          .meaning = std::move(meaning),
+          .choices = {"on", "off"}};
 }
 
-Parameters& Parameters::add_word(std::string key, std::vector<std::string> choices,
-                                 std::string meaning) {
-  std::string initial = choices.front();
-  items_.push_back({std::move(key), ParameterKind::word, std::move(initial), "-",
-                    std::move(meaning), 0.0, 0.0, std::move(choices)});
-  return *this;
+Parameter word(std::string key, std::vector<std::string> choices, std::string meaning) {
+  return {.key = std::move(key),
+          .kind = ParameterKind::word,
+          .value = choices.front(),
+          .meaning = std::move(meaning),
+          .choices = std::move(choices)};
 }
 
-Parameters& Parameters::add_text(std::string key, std::string initial, std::string meaning) {
-  items_.push_back({std::move(key),
-                    ParameterKind::text,
-                    std::move(initial),
-                    "-",
-                    std::move(meaning),
-                    0.0,
-                    0.0,
-                    {}});
-  return *this;
+Parameter text(std::string key, std::string initial, std::string meaning) {
+  return {.key = std::move(key),
+          .kind = ParameterKind::text,
+          .value = std::move(initial),
+          .meaning = std::move(meaning)};
 }
+
+}  // namespace declare
 
 void Parameters::set(std::string_view key, std::string_view value) {
   for (Parameter& p : items_) {

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tumble {
@@ -24,41 +26,56 @@ struct Parameter {
   std::string key;                             ///< what a user writes before the =
   ParameterKind kind = ParameterKind::number;  ///< what values it takes
   std::string value;                           ///< what it is now, as text
-  std::string unit;                            ///< "m", "s", ...; "-" without one
+  std::string unit = "-";                      ///< "m", "s", ...; "-" without one
   std::string meaning;                         ///< one line
   double low = 0.0;                            ///< smallest value of a number
   double high = 0.0;                           ///< largest value of a number
   std::vector<std::string> choices;            ///< the words that a word may be
 };
 
+/// The kinds of settings that can be declared.
+///
+/// What declares a setting takes its key, its default, the smallest and the largest value accepted, its unit, "-" without
+/// one, and its meaning, one line.
+namespace declare {
+
+/// A number.
+Parameter number(std::string key, double initial, double low, double high, std::string unit,
+                 std::string meaning);
+
+/// A whole number.
+Parameter whole(std::string key, std::int64_t initial, std::int64_t low, std::int64_t high,
+                std::string meaning);
+
+/// A switch.
+Parameter flag(std::string key, bool initial, std::string meaning);
+
+/// A choice of words.
+/// \param choices  the words accepted; the first is the default
+Parameter word(std::string key, std::vector<std::string> choices, std::string meaning);
+
+/// A text. It is checked where it is used.
+/// \param initial  the default, not empty
+Parameter text(std::string key, std::string initial, std::string meaning);
+
+}  // namespace declare
+
 /// The settings of one scene, technique or figure, in the order in which they were declared.
 ///
 /// Settings are declared once, with default, unit and meaning; the command line, the
 /// lists of `tumble scenes NAME` and `tumble techniques NAME`, the chapter drivers and the
 /// recorded files all read the same declaration.
-///
-/// What declares a setting takes its default, the smallest and the largest value accepted, its unit, "-" without one, and its
-/// meaning, one line, and returns this object for the next declaration.
 class Parameters {
  public:
-  /// Declares a number.
-  Parameters& add_number(std::string key, double initial, double low, double high, std::string unit,
-                         std::string meaning);
+  /// Declares settings.
+  Parameters(std::initializer_list<Parameter> items = {}) : items_(items) {}
 
-  /// Declares a whole number.
-  Parameters& add_whole(std::string key, std::int64_t initial, std::int64_t low, std::int64_t high,
-                        std::string meaning);
-
-  /// Declares a switch.
-  Parameters& add_flag(std::string key, bool initial, std::string meaning);
-
-  /// Declares a choice of words.
-  /// \param choices  the words accepted; the first is the default
-  Parameters& add_word(std::string key, std::vector<std::string> choices, std::string meaning);
-
-  /// Declares a text. It is checked where it is used.
-  /// \param initial  the default, not empty
-  Parameters& add_text(std::string key, std::string initial, std::string meaning);
+  /// Declares one more setting.
+  /// \return this object
+  Parameters& add(Parameter item) {
+    items_.push_back(std::move(item));
+    return *this;
+  }
 
   /// Changes a setting.
   /// \param value  as a user writes it

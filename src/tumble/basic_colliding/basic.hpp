@@ -1,7 +1,5 @@
 /// \file
 /// \brief The basic colliding technique (thesis 2.1): the first one to read.
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/base/cloned.hpp"
@@ -14,7 +12,6 @@
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
 
-#include <memory>
 #include <vector>
 
 namespace tumble {

@@ -43,7 +43,6 @@ struct NoisyCollision {
 /// a step, whatever else was drawn.
 /// \param contact  a contact of one point, whose bodies approach
 /// \param random   the stream of this step; see Random::fork()
-/// \return normal and restitution
 /// \see Barzel, Hughes, Wood, "Plausible motion simulation for computer graphics animation", 1996.
 /// \algorithm{Random variation of collisions: section 4.2}
 /// \verified{Chance never adds energy to a collision and never lets the bodies go on approaching}

@@ -26,7 +26,6 @@ struct MovingBody {
 };
 
 /// The speed of a body's fastest point.
-/// \param velocity_w          [m/s] of its centre
 /// \return [m/s] an upper bound: |v| + half the diagonal times |omega|
 [[nodiscard]] inline double fastest_point_speed(const BodyProperties& body, const Vec3& velocity_w,
                                                 const Vec3& angular_velocity_w) {

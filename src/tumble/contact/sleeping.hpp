@@ -101,7 +101,6 @@ class SleepingRule {
   /// Counts how long bodies have been slow, and puts islands to sleep. Last thing in a step.
   /// \param world     the bodies; changes sleep_states(), and the momenta of those that fall asleep
   /// \param contacts  those that the step worked with
-  /// \param islands   of these contacts
   /// \param slow      by index, not 0: counts as slow whatever its speed, unless it woke in this step;
   ///                  empty: none
   /// \throws std::invalid_argument for a dt that is not finite and above 0, or if wake_disturbed()

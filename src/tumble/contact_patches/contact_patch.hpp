@@ -138,7 +138,6 @@ bool distribute_evenly(const Six& impulse, const ContactPatch& patch,
 
 /// Warm start of a patch that was built again: takes over the impulses of the pair's previous patch, those
 /// of points by feature, and friction as it was in the world frame.
-/// \param before  the previous patch
 /// \param patch   the new one; impulses are overwritten
 void transfer_impulses(const ContactPatch& before, ContactPatch& patch);
 
@@ -172,19 +171,16 @@ void scale_impulses(double factor, ContactPatch& patch);
 /// A point with the gap d may close it up to the slop, \f$v_n \ge -(d - s)/\Delta t\f$; one
 /// that touches or overlaps may not approach. A point that pushes touches up to tolerance::kept_touch. Finds also whether one motion of the patch meets all targets.
 /// \param slop   [m] smaller gaps count as touching
-/// \param dt     [s] of the step
 /// \param patch  targets, targets_planar and target_motion are overwritten
 void set_targets(double slop, double dt, ContactPatch& patch);
 
 /// Whether no velocity is asked for at any point of a patch: all targets are minus infinity.
-/// \param patch  a patch
 [[nodiscard]] bool asks_for_nothing(const ContactPatch& patch);
 
 /// Corrects the targets where a body turns so far in a step that a point leaves its tangent: by how much
 /// the arc \f$(e^{[h\omega]} - 1)\,r\f$ leads further away than \f$h\,\omega\times r\f$.
 /// \param first   how the first body would move
 /// \param second  how the second one would
-/// \param dt      [s] of the step
 /// \param patch   after set_targets(); targets and targets_planar in and out
 void correct_targets_for_rotation(const MovingBody& first, const MovingBody& second, double dt,
                                   ContactPatch& patch);
@@ -205,7 +201,6 @@ inline Six motion_of(const ContactPatch& patch, const MovingBody& first, const M
 /// The motion of a point of a patch.
 /// \param along   [m] its place
 /// \param across  [m] ditto
-/// \param motion  of the patch
 /// \return [m/s] along, across, normal
 inline Vec3 velocity_at(double along, double across, const Six& motion) {
   return {motion[0] - across * motion[5], motion[1] + along * motion[5],

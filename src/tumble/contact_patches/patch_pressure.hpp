@@ -38,7 +38,6 @@ struct PatchPressure {
 }
 
 /// Moment about the normal, at the middle of the patch, of friction that acts at the centre of pressure.
-/// \param at      the pressure
 /// \param along   [N s] friction
 /// \param across  [N s] ditto
 /// \return [N m s]

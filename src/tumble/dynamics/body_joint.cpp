@@ -3,7 +3,6 @@
 #include "tumble/dynamics/body_joint.hpp"
 
 #include "tumble/base/error.hpp"
-#include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/dynamics/world.hpp"
 

@@ -93,7 +93,6 @@ Bounds bounds_of_flight(const BodyProperties& body, const BodyState& start, cons
 /// Pairs of bodies that may meet in free flight: those whose ways, as wide as their reach, overlap.
 /// \param time         [s] of the flight
 /// \param reach        gets an index; gives that body's reach, see bounds_of_flight() [m]
-/// \param broad_phase  finds them
 /// \param bounds       storage; overwritten
 /// \param pairs        overwritten, sorted
 template <class Reach>

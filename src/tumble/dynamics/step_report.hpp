@@ -30,7 +30,6 @@ inline constexpr std::array<ReportCount, 11> kReportCounts = {
 
 /// Adds a step to those before it: counts and energies are summed, `contacts` too; the deepest overlap
 /// and the worst status are kept.
-/// \param step   report of one step
 /// \param total  sum of all; in and out
 void add_report(const StepReport& step, StepReport& total);
 

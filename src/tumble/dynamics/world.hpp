@@ -52,8 +52,6 @@ class World {
   BodyId add(const BodyProperties& body, const BodyState& state, std::string name = "");
 
   /// Adds a body without a name of its own, see make_state() for where it is and how it moves.
-  /// \param position_w          [m] of its centre of mass
-  /// \param velocity_w          [m/s] of its centre of mass
   BodyId add(const BodyProperties& body, const Vec3& position_w,
              const Quat& orientation_wb = Quat::Identity(), const Vec3& velocity_w = Vec3::Zero(),
              const Vec3& angular_velocity_w = Vec3::Zero()) {
@@ -102,27 +100,23 @@ class World {
   /// The place of a body in the arrays: its index, or nothing if there is no such body. O(log n).
   [[nodiscard]] std::optional<int> find(BodyId id) const;
 
-  /// The place of a body in the arrays.
-  /// \return its index. O(log n)
+  /// The place of a body in the arrays, its index. O(log n).
   /// \throws std::invalid_argument if there is no such body
   [[nodiscard]] int index_of(BodyId id) const;
 
   /// The id of the body called like this, or nothing.
   [[nodiscard]] std::optional<BodyId> find(std::string_view name) const;
 
-  /// The place in the arrays of the body called like this.
-  /// \return its index. O(1)
+  /// The place in the arrays of the body called like this, its index. O(1).
   /// \throws std::invalid_argument if there is no such body, with the closest name
   [[nodiscard]] int index_of(std::string_view name) const;
 
-  /// The body called like this, to be read.
-  /// \return see there. O(1)
+  /// The body called like this, to be read. O(1).
   /// \throws std::invalid_argument if there is no such body, with the closest name
   /// \verified{A body is read by its name, and a name that is missing is answered with the closest one}
   [[nodiscard]] BodyView body(std::string_view name) const;
 
-  /// A body, to be read.
-  /// \return see there. O(log n)
+  /// A body, to be read. O(log n).
   /// \throws std::invalid_argument if there is no such body
   [[nodiscard]] BodyView body(BodyId id) const;
 

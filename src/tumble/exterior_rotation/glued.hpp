@@ -13,7 +13,6 @@
 #include "tumble/exterior_rotation/simple_steps.hpp"
 #include "tumble/exterior_rotation/tolerances.hpp"
 
-#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Joints between bodies that stick where they touch, and the gap of a joint (thesis 6.2).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/contact.hpp"

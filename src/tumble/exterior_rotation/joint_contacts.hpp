@@ -57,7 +57,6 @@ class JointContacts {
   /// \param forces  their solver
   /// \param world   states in and out; its time does not change
   /// \param report  impulses, iterations, contacts and energy are added
-  /// \return as RungeKutta::step()
   double step(const ButcherTable& table, double dt, std::span<const Joint> joints,
               JointForces& forces, World& world, StepReport& report);
   /// The contacts of the last step, with the impulses of its forces, sorted by id.

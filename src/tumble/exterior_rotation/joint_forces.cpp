@@ -6,7 +6,6 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact/effective_mass.hpp"
 #include "tumble/dynamics/step_mistakes.hpp"
-#include "tumble/exterior_rotation/tolerances.hpp"
 
 #include <string>
 

@@ -43,7 +43,6 @@ class BoxFilter : public Cloned<PoseFilter, BoxFilter> {
  public:
   /// Makes the filter.
   /// \param frames  in the window, odd, 1 to 1001; 1 changes nothing
-  /// \param window  its position
   /// \throws std::invalid_argument for another number of frames
   explicit BoxFilter(int frames, BoxWindow window = BoxWindow::centred);
 

@@ -61,10 +61,7 @@ struct Pops {
 
 /// Counts pops: displayed steps that are larger than the computed step between the same two frames, and
 /// at least as large as a given length. The size of a step is the largest displacement of a corner.
-/// \param shown     displayed corners
-/// \param computed  computed corners, in the same frames
 /// \param least     [m] size of the smallest pop that counts, above 0
-/// \return number of pops, and the largest
 /// \throws std::invalid_argument if the two have different lengths
 Pops pops(std::span<const Corners> shown, std::span<const Corners> computed, double least);
 

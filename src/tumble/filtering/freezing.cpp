@@ -2,7 +2,6 @@
 /// \brief Sleep for islands that only chatter.
 #include "tumble/filtering/freezing.hpp"
 
-#include "tumble/base/error.hpp"
 #include "tumble/contact/tolerances.hpp"
 
 #include <algorithm>

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Cracks of a body of tetrahedra, and the split of its mesh (thesis 2.4.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/fracture/elastic.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief A body of tetrahedra: strain, stress, forces, and the steps that it stands (thesis 2.4.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/base/index.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Brittle fracture of a body of tetrahedra by explicit steps (thesis 2.4.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/dynamics/technique.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The outside of a body of tetrahedra, and nodes of one piece near another (thesis 2.4.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/fracture/elastic.hpp"

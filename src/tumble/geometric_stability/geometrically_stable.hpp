@@ -1,7 +1,5 @@
 /// \file
 /// \brief Geometric stability: the listing SETGEOMETRICALLYSTABLE (thesis 5.4, A.2).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/contact.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Bodies that support any load on top, by static equilibrium (thesis 5.4, 6.3.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/geometric_stability/geometrically_stable.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Bodies that may be left out of the system of contact forces (thesis 5.4, 6.3.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/islands.hpp"

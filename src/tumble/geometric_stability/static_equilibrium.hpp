@@ -1,7 +1,5 @@
 /// \file
 /// \brief Static equilibrium of contacts that only push, and the initial motion without it (thesis 5.4, 6.3.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/contact.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Outlines and supports as seen from above (thesis 5.4).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/geometry/box.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Towers of boxes, each treated as one heavier box (thesis 6.3.1, figure 6.4).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/contact.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Tolerances of the vertical (thesis 5.4).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/tolerances.hpp"

@@ -1,10 +1,11 @@
 /// \file
-/// \brief Common parts of all broad phases: the check of their input and the order of their output.
+/// \brief Common parts of all broad phases: the check of their input and the order of their output; and the one that tries
+///        every pair.
 #include "tumble/geometry/broad_phase.hpp"
 
+#include "tumble/base/cloned.hpp"
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/geometry/all_pairs.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/geometry/cell_trees.hpp"
 #include "tumble/geometry/hashed_grid.hpp"
@@ -32,6 +33,20 @@ std::string text(const Vec3& v) {
   std::string out = shortest_text(v.x());
   return out.append(", ").append(shortest_text(v.y())).append(", ").append(shortest_text(v.z()));
 }
+
+// Tests every pair of bounds, n (n - 1) / 2 of them: simplest, and the judge of the others.
+class AllPairs final : public Cloned<BroadPhase, AllPairs> {
+ public:
+  [[nodiscard]] std::string_view name() const override { return kNames[0]; }
+
+ private:
+  void search(std::span<const Bounds> bounds, std::vector<IndexPair>& out) override {
+    const int n = static_cast<int>(bounds.size());
+    for (int a = 0; a < n; ++a) {
+      for (int b = a + 1; b < n; ++b) test(bounds, a, b, out);
+    }
+  }
+};
 
 }  // namespace
 

@@ -13,7 +13,6 @@ namespace tumble {
 /// area; a corner's distance is its height, and its position is halfway between it and the ground.
 /// A corner below the ground is kept however deep it is, but only the corners of the face that
 /// looks down most can touch: the ones above it would push where nothing is.
-/// \param box     the second body
 /// \param margin  [m] keep corners up to this high, at least 0
 /// \param out     is overwritten; its count is 0 to 4
 /// \return whether there is a point

@@ -73,7 +73,6 @@ void find_manifold(const Box& first, const Box& second, const Separation& found,
 /// \param remembered  the axis in the manifold that the pair had before, or kNoAxis
 /// \param out         is overwritten. If the boxes do not touch its count is 0 and its axis and
 ///                    normal are those of the direction that separates them: remember it
-/// \return whether there is a point
 /// \throws std::invalid_argument if the margin is negative or not finite, or for an axis that is
 ///         none
 /// \pre both boxes are finite with orthonormal axes (make_box sees to that)

@@ -38,7 +38,6 @@ struct SweepResult {
 /// \f$|n\cdot(d + t u)| \le r\f$ with the centres' difference d, the relative displacement u and the
 /// sum r of both reaches. The boxes touch while all 15 intervals do.
 ///
-/// \param first                  the one box, at the start
 /// \param displacement_first_w   [m] how far it moves, world frame
 /// \param second                 the other box, at the start
 /// \param displacement_second_w  [m] how far it moves, world frame

@@ -12,7 +12,6 @@
 #include "tumble/impulse_damped/fix_contact_constraints.hpp"
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace tumble {

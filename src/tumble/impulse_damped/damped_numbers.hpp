@@ -81,7 +81,6 @@ inline constexpr double kDampedStepsPerSecond = 60.0;
 inline constexpr double kReportedDamping = 2.0;
 
 /// The factors of a time step, \f$k^{\,60\,\Delta t\,s}\f$ with s = k_scale.
-/// \return one for each k
 [[nodiscard]] DampedFactors factors_of(const DampedNumbers& numbers, double dt);
 
 /// The thresholds of a body.

@@ -19,7 +19,6 @@ class PushedPairs {
   /// Removes all pairs.
   void clear();
   /// Adds the impulses of a pass.
-  /// \param collision  with the impulses of this pass
   void add(const Contact& collision);
   /// \return the number of pairs
   [[nodiscard]] std::size_t count() const { return order_.size(); }
@@ -70,7 +69,6 @@ struct DampedStage {
 /// \param stage   velocities in and out
 /// \param passes  NUM_COLLISION_ITERATIONS, at least 0
 /// \param noise   randomness in collisions (thesis 4.2)
-/// \param random  random numbers of this step
 /// \algorithm{RESOLVECOLLISIONS: appendix A.2}
 /// \verified{A box at rest does not bounce though restitution is 0.9}
 void resolve_collisions(DampedStage& stage, int passes, const NoiseOptions& noise,

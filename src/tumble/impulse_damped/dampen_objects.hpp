@@ -75,8 +75,6 @@ class ObjectDamping {
   /// Damps and moves all bodies.
   /// \param world    states in and out; sleepers stay
   /// \param touched  by index: whether the body had a contact interaction in this step
-  /// \param numbers  ε and k
-  /// \param parts    which parts are used
   DampingReport run(World& world, std::span<const char> touched, const DampedNumbers& numbers,
                     const DampingParts& parts, double dt, RotationRule rotation);
 

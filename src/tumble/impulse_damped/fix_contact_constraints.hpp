@@ -45,7 +45,6 @@ class FixContactConstraints {
   /// Pushes bodies apart.
   /// \param world     positions in and out
   /// \param contacts  the overlaps: all points of each contact area
-  /// \param numbers   ε1
   FixReport run(World& world, std::span<const Contact> contacts, const DampedNumbers& numbers,
                 double dt);
 

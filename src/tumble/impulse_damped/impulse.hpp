@@ -1,8 +1,6 @@
 /// \file
 /// \brief The technique of Guendelman, Bridson and Fedkiw (thesis 2.5.2), which damped integration
 ///        starts from.
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/base/cloned.hpp"
@@ -14,7 +12,6 @@
 #include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/impulse_damped/impulse_push.hpp"
 
-#include <memory>
 #include <vector>
 
 namespace tumble {

@@ -41,7 +41,6 @@ class ImpulseBodies {
   void predict(const World& world, int body);
 
   /// Predicts all that are carried anew, as far as the bodies below them have changed.
-  /// \param world  as for begin()
   void carry(const World& world);
 
   /// Adds h g to the velocity of every body that moves, and to its momentum in the world.

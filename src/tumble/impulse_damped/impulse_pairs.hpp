@@ -54,8 +54,6 @@ class ImpulsePairs {
                       const SleepingRule* sleeping);
 
   /// Looks at one pair again, if a body of it has got another predicted pose.
-  /// \param number  of the pair
-  /// \return the pair as it is now
   ImpulsePair& look(const World& world, const ImpulseBodies& bodies, int number);
 
   /// A pair as last seen.

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Contact forces by the method of multipliers, seen from the bodies (thesis 2.6.2, 3.3.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/lcp_solvers/block_cholesky.hpp"

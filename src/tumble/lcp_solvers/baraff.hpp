@@ -1,7 +1,5 @@
 /// \file
 /// \brief Baraff's pivoting, with equalities (thesis 3.3.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/lcp_solvers/lcp.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Cholesky factor of a sparse matrix of 6×6 blocks: a block for each body and for each pair that touches.
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/lcp_solvers/block_rows.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief A positive semidefinite matrix as products of short rows: contacts seen from the bodies.
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/lcp_solvers/lcp.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Trying every case, as a judge of other solvers (thesis 3.3.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/lcp_solvers/lcp.hpp"

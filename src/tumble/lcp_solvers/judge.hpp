@@ -1,7 +1,5 @@
 /// \file
 /// \brief The judge of answers: each row by what the problem's loads make of it.
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/lcp_solvers/lcp.hpp"

@@ -62,7 +62,6 @@ struct LcpResult {
 };
 
 /// Residual of an answer, the same for all solvers.
-/// \param f       (n) the answer
 /// \return [-] \f$\max_i |\min(A_{ii} f_i, a_i)| / \max_i |b_i|\f$, with |a_i| for equalities; the
 ///         numerator if b = 0; 0 for n = 0. Where A_ii is not positive, which no contact has but a
 ///         row of friction may, the largest |A_ij| of the row stands for it, or 1 if all are 0
@@ -83,7 +82,6 @@ enum class LcpMatrix : std::uint8_t {
 void require_valid(const LcpProblem& problem, LcpMatrix needs);
 
 /// Refuses an invalid list of rows to start with.
-/// \param size  n
 /// \throws std::invalid_argument naming a row that is out of range or given twice
 void require_valid_start(int size, std::span<const int> start);
 

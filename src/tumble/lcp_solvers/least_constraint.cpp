@@ -2,7 +2,6 @@
 /// \brief Contact forces by Gauss' principle of least constraint (thesis 2.6.2).
 #include "tumble/lcp_solvers/least_constraint.hpp"
 
-#include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/lcp_solvers/tolerances.hpp"

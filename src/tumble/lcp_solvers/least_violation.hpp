@@ -1,7 +1,5 @@
 /// \file
 /// \brief Forces that violate the conditions of contact least, where there may be no solution.
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/lcp_solvers/row_scaling.hpp"

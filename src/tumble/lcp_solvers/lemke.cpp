@@ -5,7 +5,6 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
-#include "tumble/lcp_solvers/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Lemke's method: a path of pivots for any matrix (thesis 3.3.1, 2.6.3).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/lcp_solvers/block_rows.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The linear algebra of Lemke's method: a basis whose unknowns are exchanged one by one.
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/lcp_solvers/lcp.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Lemke's method begun at other bases, for matrices for which a ray proves nothing.
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/lcp_solvers/lemke.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Rows of a problem in units of their own.
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/lcp_solvers/lcp.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief A solver whose answers are judged, and a second attempt where they fail.
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/lcp_solvers/least_violation.hpp"

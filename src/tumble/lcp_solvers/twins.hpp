@@ -28,8 +28,6 @@ class TwinProblem {
   [[nodiscard]] int size() const { return static_cast<int>(rows_.size()); }
 
   /// Translates a list of rows to start with.
-  /// \param problem the problem of assign()
-  /// \param rows    rows of it
   /// \param start   rows of A(); of an equality the side that b calls for
   void start_from(const LcpProblem& problem, std::span<const int> rows,
                   std::vector<int>& start) const;

@@ -39,7 +39,6 @@ struct BisectionResult {
 /// \param bracket     [s] low separated, high overlapping
 /// \param resolution  [s] length to stop at; 0 halves until no double lies between the ends
 /// \param cap         most evaluations allowed, at least 0; any two doubles need fewer than 2200
-/// \return status, bracket, evaluations
 /// \throws std::invalid_argument for a resolution that is negative or not finite, or a cap below 0
 /// \algorithm{Bisection in time: section 3.3.1}
 /// \verified{Bisecting a frame to a microsecond takes 15 evaluations}

@@ -34,7 +34,6 @@ struct ComplementarityResult {
 /// The number that judges any answer, however it was computed.
 /// \param A (n×n) the matrix
 /// \param b (n) the constant part
-/// \param f (n) the answer
 /// \return [-] \f$\max_i|\min(A_{ii}f_i, a_i)| / \max_i|b_i|\f$ with a = A f + b; the numerator if
 ///         b = 0
 /// \throws std::invalid_argument if the sizes differ

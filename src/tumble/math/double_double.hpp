@@ -38,7 +38,6 @@ constexpr Pair sum(double a, double b) {
 /// a b exactly; both factors below 2^996.
 ///
 /// Each factor is split into halves of 26 bits, whose products are exact.
-/// \return the product and its error
 constexpr Pair product(double a, double b) {
   constexpr double splitter = 134217729.0;  // 2^27 + 1
   const double a_far = splitter * a;

@@ -13,7 +13,6 @@ Mat3 skew(const Vec3& a);
 
 /// The same orientation with length 1.
 /// \param q [-] any length from 1e-150 to 1e150
-/// \return q / |q|
 /// \throws std::invalid_argument for a length outside that range or a component not finite
 Quat normalised(const Quat& q);
 

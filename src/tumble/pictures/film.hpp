@@ -53,8 +53,7 @@ class FilmPainter {
   int decimals_;
 };
 
-/// Duration of each frame of a film: the last one is shown for a second more.
-/// \param film  the film, at least one frame
+/// Duration of each frame of a film with at least one: the last one is shown for a second more.
 /// \param rate  [1/s] frames in a second, 1 to 50
 /// \return [1/100 s] for each frame
 /// \throws std::invalid_argument as gif_delays() does

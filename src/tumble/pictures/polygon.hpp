@@ -26,7 +26,6 @@ struct HalfPlane {
 
 /// The part of a polygon in a half-plane.
 /// \param polygon     convex; a line is given as two points
-/// \param half_plane  the part to keep
 /// \return its corners in the same sense of rotation; none if the intersection is empty
 /// \see Sutherland, Hodgman, "Reentrant polygon clipping", CACM 1974.
 [[nodiscard]] Polygon clipped(const Polygon& polygon, const HalfPlane& half_plane);

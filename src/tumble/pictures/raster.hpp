@@ -18,7 +18,6 @@ struct Raster {
 
 /// Paints a picture, antialiased with 16 points for each pixel.
 /// \param picture  the areas; a size above 0, rounded down to whole pixels
-/// \return its pixels, on white
 /// \throws std::invalid_argument for a size outside 1 to 10000 pixels
 /// \verified{A partly covered pixel is blended by the covered share}
 /// \par Cost

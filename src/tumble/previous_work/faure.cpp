@@ -5,7 +5,6 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/contact/contact_records.hpp"
-#include "tumble/contact/effective_mass.hpp"
 #include "tumble/contact/impulse_work.hpp"
 #include "tumble/contact/movable_edge.hpp"
 #include "tumble/contact/parts_of_turn.hpp"

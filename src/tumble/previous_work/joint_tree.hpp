@@ -1,7 +1,5 @@
 /// \file
 /// \brief Forces of joints in linear time (thesis 2.6.5).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/moving_body.hpp"

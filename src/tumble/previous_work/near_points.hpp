@@ -1,7 +1,5 @@
 /// \file
 /// \brief Points near each other, and the move, of methods that move bodies by trust regions (thesis 2.7).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/gather.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The motion nearest to a wanted one with which no contact point goes in: the quadratic program of thesis 2.7.
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/contact.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Animation by optimisation: the nearest poses without overlap, then the momenta (thesis 2.7.2).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/base/cloned.hpp"
@@ -13,7 +11,6 @@
 #include "tumble/previous_work/near_points.hpp"
 #include "tumble/previous_work/rubbing_points.hpp"
 
-#include <memory>
 #include <vector>
 
 namespace tumble {

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Springs and dampers where bodies overlap (thesis 2.5.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/base/cloned.hpp"
@@ -12,7 +10,6 @@
 #include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/previous_work/penalty_law.hpp"
 
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,5 @@
 /// \file
 /// \brief One mass on a spring and a damper: its bounce, and the steps that it stands (thesis 2.5.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +35,6 @@ double stable_step(PenaltyScheme scheme, const PenaltyLaw& law);
 /// as soon as the damper would pull more than the spring pushes, and
 /// \f$e = \exp(-2\zeta\arccos\zeta/\sqrt{1-\zeta^2})\f$: \f$e^{-2}\f$ at critical damping.
 /// \param damping  [-] ζ, at least 0
-/// \param pull     whether contacts may pull
 /// \return [-] 0 to 1
 /// \verified{A ball on a spring and a damper bounces by the closed forms of both laws}
 double penalty_restitution(double damping, bool pull);

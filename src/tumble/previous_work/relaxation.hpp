@@ -1,7 +1,5 @@
 /// \file
 /// \brief Boxes of particles and rods held by relaxation, as a technique (thesis 2.3).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/base/cloned.hpp"
@@ -11,7 +9,6 @@
 #include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/previous_work/rods.hpp"
 
-#include <memory>
 #include <vector>
 
 namespace tumble {

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Particles and rods held by relaxation (thesis 2.3).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/base/types.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Contact points with friction as unknowns of an iteration (thesis 2.6.4, 2.7.2).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/contact/contact.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Potential energy minimised step by step, without velocities (thesis 2.7.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/base/cloned.hpp"
@@ -10,7 +8,6 @@
 #include "tumble/previous_work/near_points.hpp"
 #include "tumble/previous_work/nearest_motion.hpp"
 
-#include <memory>
 #include <vector>
 
 namespace tumble {

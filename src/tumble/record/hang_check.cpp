@@ -1,9 +1,8 @@
 /// \file
 /// \brief A check of a run by any technique: nothing hangs in the air.
-#include "tumble/record/hang_check.hpp"
-
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
+#include "tumble/record/run_checks.hpp"
 #include "tumble/record/tolerances.hpp"
 
 #include <algorithm>

@@ -1,9 +1,8 @@
 /// \file
 /// \brief A check of a run by any technique: bodies are where they were hit.
-#include "tumble/record/hit_check.hpp"
-
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
+#include "tumble/record/run_checks.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -43,7 +43,6 @@ RecordedRun read_run(const std::filesystem::path& folder, std::string_view table
 
 /// Reads a trajectory from an open file or from memory.
 /// \param in     what the file holds, from its first line on
-/// \param name   of the file, for messages
 /// \throws std::invalid_argument as read_run() does
 RecordedRun read_trajectory(Scene scene, std::istream& in, const std::string& name);
 

@@ -5,8 +5,6 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/dynamics/step_report.hpp"
-#include "tumble/record/hang_check.hpp"
-#include "tumble/record/hit_check.hpp"
 #include "tumble/record/passage_check.hpp"
 #include "tumble/record/run_checks.hpp"
 #include "tumble/record/tolerances.hpp"

@@ -1,8 +1,10 @@
 /// \file
-/// \brief Checks of a run by any technique: no energy from nothing, large turns, boxes that appear inside others.
+/// \brief Checks of a run by any technique: no energy from nothing, large turns, boxes that appear inside others, bodies that
+///        are not where they were hit, bodies that hang in the air.
 #pragma once
 
 #include "tumble/dynamics/technique.hpp"
+#include "tumble/geometry/bounding_tree.hpp"
 
 #include <string>
 #include <vector>
@@ -73,6 +75,66 @@ class AppearCheck : public RunCheck {
 
  private:
   std::vector<BodyId> known_;  // there before the change, ascending
+};
+
+/// When an impulse acts at a point, the body is there, within half its shortest edge: it has come from where the step began, and
+/// gets to where the step ends, no faster than its speeds before and after and all its impulses in the step allow.
+///
+/// A technique that lets impulses act at predicted poses stops a fast body where the step began instead, up to its way in a
+/// step before it arrives. Collisions of bodies that move by less than half their shortest edge in the step are not looked
+/// at. The status is StepStatus::held_by_nothing.
+/// \par Cost
+/// A copy of all states in each step, and a comparison for each collision.
+class HitCheck : public RunCheck {
+ public:
+  void on_begin(const World& world) override;
+  void on_change(const World& world, double energy_added) override;
+  void on_event(const Event& event) override;
+  void on_step(const World& world, const StepReport& report) override;
+
+ private:
+  void find_speeds(const World& world);
+  void look(const World& world, const Event& event, BodyId body);
+
+  double time_ = 0.0;              // [s] before the step
+  std::vector<BodyState> before_;  // ditto
+  std::vector<Event> events_;      // of this step
+  std::vector<double> speeds_;     // [m/s] of each body in it, at most
+};
+
+/// Under gravity bodies do not stay in place unless they reach something that is fixed or moves, by way of others that are
+/// near: within `tolerance::deep_overlap` of their shortest edge, in any direction, or by a joint.
+///
+/// A body stays in place if it has moved by less than `tolerance::hang_move` of what it would have fallen from rest meanwhile:
+/// at least that tenth of an edge, and for three steps, without a collision. Free flight never does so, nor at the top of a
+/// throw. Bounds are compared, which makes a report certain.
+/// \par Cost
+/// A comparison for each body. Bodies that stay in place are looked at together, the next time after twice as long.
+class HangCheck : public RunCheck {
+ public:
+  void on_begin(const World& world) override;
+  void on_change(const World& world, double energy_added) override;
+  void on_event(const Event& event) override;
+  void on_step(const World& world, const StepReport& report) override;
+
+ private:
+  // Where a body has been since when.
+  struct Stay {
+    Vec3 place_w = Vec3::Zero();
+    double since = 0.0;     // [s]
+    double look_at = 0.0;   // [s] not before
+    bool in_place = false;  // for long enough
+  };
+  void look(const World& world);
+  void find_held(const World& world);
+
+  double time_ = 0.0;        // [s] before the step
+  std::vector<Stay> stays_;  // by index
+  std::vector<BodyId> hit_;  // in collisions of this step
+  std::vector<Bounds> bounds_;
+  std::vector<IndexPair> pairs_;  // that are near each other
+  std::vector<char> held_;        // by index: not 0 if it may stay
+  BoundingTree near_;
 };
 
 }  // namespace tumble

@@ -35,7 +35,6 @@ class RunFiles : public RunObserver {
   /// Makes the folder and opens the files.
   /// \param folder       created if missing; if it is not empty, it has to be that of a run
   /// \param description  settings of the run
-  /// \param scene        for scene.toml
   /// \throws std::invalid_argument if the folder holds something else, if another process writes into it, or for an
   ///         unknown filter
   /// \throws CannotWrite if it cannot be made or written

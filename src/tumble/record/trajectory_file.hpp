@@ -33,7 +33,6 @@ class TrajectoryFile {
 
   /// Adds a row.
   /// \param time                [s] of the frame
-  /// \param name                of the body
   /// \param pose                for the position and the orientation alone
   /// \param velocity_w          [m/s] of the centre of mass, world frame
   /// \throws CannotWrite if a block of rows could not be written

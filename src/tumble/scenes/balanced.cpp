@@ -12,19 +12,17 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 
 Parameters rocking_parameters() {
-  return Parameters{}
-      .add_number("width", 0.4, 1e-3, 1e3, "m", "width of the block, along x and z")
-      .add_number("height", 2.0, 1e-3, 1e3, "m", "height of the block")
-      .add_number("tilt", 0.5, 0.0, 1.0, "-",
-                  "at the start, over the angle at which it balances on its edge")
-      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
+  return {number("width", 0.4, 1e-3, 1e3, "m", "width of the block, along x and z"),
+          number("height", 2.0, 1e-3, 1e3, "m", "height of the block"),
+          number("tilt", 0.5, 0.0, 1.0, "-",
+                 "at the start, over the angle at which it balances on its edge"),
+          number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient")};
 }
 
 // Housner's block: it rocks from edge to edge. With tilt 1 its centre is above the left edge, at
 // -width/2 on the ground.
 Scene rocking_block(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a block rocks from edge to edge";
+  Scene scene{.title = "a block rocks from edge to edge"};
   const double width = p.number("width");
   const double height = p.number("height");
   const double tilt = p.number("tilt") * elementary::atan2(width, height);
@@ -39,18 +37,16 @@ Scene rocking_block(const Parameters& p, Random) {
 }
 
 Parameters seesaw_parameters() {
-  return Parameters{}
-      .add_number("left", 2.0, 1e-3, 1e3, "kg", "load on the left end")
-      .add_number("right", 1.0, 1e-3, 1e3, "kg", "load on the right end")
-      .add_number("plank", 1.0, 1e-3, 1e3, "kg", "mass of the plank")
-      .add_number("pivot", 0.1, 1e-3, 2.0, "m", "width of the pivot")
-      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
+  return {number("left", 2.0, 1e-3, 1e3, "kg", "load on the left end"),
+          number("right", 1.0, 1e-3, 1e3, "kg", "load on the right end"),
+          number("plank", 1.0, 1e-3, 1e3, "kg", "mass of the plank"),
+          number("pivot", 0.1, 1e-3, 2.0, "m", "width of the pivot"),
+          number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient")};
 }
 
 // It tips if 1.75 |left - right| > (left + right + plank) pivot/2: moments about the pivot's edge.
 Scene seesaw(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a see-saw with a load on each end";
+  Scene scene{.title = "a see-saw with a load on each end"};
   const double load = 0.5;  // edge of a load
   scene.boxes = {fixed_at("pivot", Vec3(p.number("pivot"), 0.5, 1.0), Vec3(0.0, 0.25, 0.0)),
                  box_at("plank", Vec3(4.0, 0.1, 1.0), Vec3(0.0, 0.55, 0.0), p.number("plank")),
@@ -61,11 +57,10 @@ Scene seesaw(const Parameters& p, Random) {
 }
 
 Parameters fig6_5_parameters() {
-  return Parameters{}
-      .add_number("mass_ratio", 1.0, 1e-3, 1e3, "-",
-                  "mass of the top block over that of a lower one")
-      .add_number("offset", 0.0, -0.24, 0.24, "m", "offset of the top block, to the right")
-      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
+  return {
+      number("mass_ratio", 1.0, 1e-3, 1e3, "-", "mass of the top block over that of a lower one"),
+      number("offset", 0.0, -0.24, 0.24, "m", "offset of the top block, to the right"),
+      number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient")};
 }
 
 // Two blocks that overhang outwards, each on a pedestal, are kept from falling by the weight of
@@ -73,8 +68,7 @@ Parameters fig6_5_parameters() {
 // one of them, one that is off by 0.2 m 70/93: the load between a block's pedestal and its inner
 // end must turn it inwards as much as its own weight turns it outwards.
 Scene fig6_5(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a heavy block keeps two others from tipping (figure 6.5)";
+  Scene scene{.title = "a heavy block keeps two others from tipping (figure 6.5)"};
   const Vec3 pedestal(0.75, 1.0, 1.0);
   const Vec3 lower(2.0, 1.0, 1.0);
   scene.boxes = {fixed_at("pedestal_left", pedestal, Vec3(-1.375, 0.5, 0.0)),
@@ -88,18 +82,16 @@ Scene fig6_5(const Parameters& p, Random) {
 }
 
 Parameters leaning_parameters() {
-  return Parameters{}
-      .add_whole("count", 3, 1, 100, "planks, side by side, each with a block of its own")
-      .add_number("angle", 60.0, 45.0, 80.0, "deg", "angle of a plank, from the ground")
-      .add_flag("fixed", false, "whether the blocks are immovable")
-      .add_number("block_mass", 2.0, 1e-3, 1e3, "kg", "mass of a block; a plank has 1 kg")
-      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
+  return {whole("count", 3, 1, 100, "planks, side by side, each with a block of its own"),
+          number("angle", 60.0, 45.0, 80.0, "deg", "angle of a plank, from the ground"),
+          flag("fixed", false, "whether the blocks are immovable"),
+          number("block_mass", 2.0, 1e-3, 1e3, "kg", "mass of a block; a plank has 1 kg"),
+          number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient")};
 }
 
 // A plank stands on its lower edge and leans on the upper right edge of a block.
 Scene leaning(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "planks lean on blocks";
+  Scene scene{.title = "planks lean on blocks"};
   const double angle = p.number("angle") * kDegree;
   const Vec3 plank(2.2, 0.1, 0.5);
   const double high = 1.2;
@@ -122,16 +114,14 @@ Scene leaning(const Parameters& p, Random) {
 }
 
 Parameters table_parameters() {
-  return Parameters{}
-      .add_number("load", 2.0, 1e-3, 1e3, "kg", "mass of the box on the table; the plate has 1 kg")
-      .add_number("offset", 0.2, -0.75, 0.75, "m", "offset of that box from the middle, along x")
-      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient");
+  return {number("load", 2.0, 1e-3, 1e3, "kg", "mass of the box on the table; the plate has 1 kg"),
+          number("offset", 0.2, -0.75, 0.75, "m", "offset of that box from the middle, along x"),
+          number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient")};
 }
 
 // A plate lies on four legs that stand by themselves.
 Scene table(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a table with a box on it";
+  Scene scene{.title = "a table with a box on it"};
   for (int k = 0; k < 4; ++k) {
     scene.boxes.push_back(box_at(numbered("leg", {k + 1}), Vec3(0.2, 0.8, 0.2),
                                  Vec3(k % 2 == 0 ? -0.8 : 0.8, 0.4, k < 2 ? -0.4 : 0.4), 0.2));

@@ -47,11 +47,10 @@ Vec3 hang(const Links& links, Scene& scene) {
 // --- chain and pendulum -----------------------------------------------------------------------------
 
 Parameters hanging(int count, double angle) {
-  return Parameters{}
-      .add_whole("count", count, 1, 1000, "links")
-      .add_number("length", 0.5, 0.01, 100.0, "m", "length of a link")
-      .add_number("angle", angle, -std::numbers::pi, std::numbers::pi, "rad",
-                  "angle of all links from hanging straight down, anticlockwise");
+  return {whole("count", count, 1, 1000, "links"),
+          number("length", 0.5, 0.01, 100.0, "m", "length of a link"),
+          number("angle", angle, -std::numbers::pi, std::numbers::pi, "rad",
+                 "angle of all links from hanging straight down, anticlockwise")};
 }
 
 Scene hanging_scene(const Parameters& p, JointKind kind) {
@@ -91,18 +90,16 @@ Scene pendulum(const Parameters& p, Random) {
 // --- crane ------------------------------------------------------------------------------------------
 
 Parameters crane_parameters() {
-  return Parameters{}
-      .add_number("angle", 0.9, 0.0, 1.2, "rad", "how far the wrecking box is pulled back")
-      .add_number("mass", 200.0, 1.0, 1e4, "kg", "mass of the wrecking box")
-      .add_whole("rows", 7, 1, 8, "rows of bricks in the wall")
-      .add_whole("columns", 3, 1, 8, "bricks in a row of the wall")
-      .add_number("friction", 0.5, 0.0, 1e3, "-", "Coulomb coefficient of everything");
+  return {number("angle", 0.9, 0.0, 1.2, "rad", "how far the wrecking box is pulled back"),
+          number("mass", 200.0, 1.0, 1e4, "kg", "mass of the wrecking box"),
+          whole("rows", 7, 1, 8, "rows of bricks in the wall"),
+          whole("columns", 3, 1, 8, "bricks in a row of the wall"),
+          number("friction", 0.5, 0.0, 1e3, "-", "Coulomb coefficient of everything")};
 }
 
 // The boom reaches out along x; the box swings along z, from the one side of the boom to the wall on the other.
 Scene crane(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a crane swings a wrecking box into a wall";
+  Scene scene{.title = "a crane swings a wrecking box into a wall"};
   constexpr double height = 6.0;  // [m] of the boom's lower side
   constexpr double reach = 3.5;   // [m] of its tip
   scene.boxes.push_back(fixed_at("mast", Vec3(0.5, height, 0.5), Vec3(0.0, 0.5 * height, 0.0)));
@@ -136,18 +133,16 @@ Scene crane(const Parameters& p, Random) {
 // --- plank_bridge -----------------------------------------------------------------------------------
 
 Parameters plank_bridge_parameters() {
-  return Parameters{}
-      .add_whole("planks", 8, 2, 100, "planks of the bridge")
-      .add_number("sag", 0.5, 0.1, 1.0, "rad", "slope of the bridge at its ends")
-      .add_number("load", 20.0, 0.1, 1e3, "kg",
-                  "mass of the box that falls on it; a plank has 5 kg")
-      .add_number("friction", 0.8, 0.0, 1e3, "-", "Coulomb coefficient of everything");
+  return {
+      whole("planks", 8, 2, 100, "planks of the bridge"),
+      number("sag", 0.5, 0.1, 1.0, "rad", "slope of the bridge at its ends"),
+      number("load", 20.0, 0.1, 1e3, "kg", "mass of the box that falls on it; a plank has 5 kg"),
+      number("friction", 0.8, 0.0, 1e3, "-", "Coulomb coefficient of everything")};
 }
 
 // The ends of planks lie on an arc.
 Scene plank_bridge(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a load falls on a bridge of planks in hinges";
+  Scene scene{.title = "a load falls on a bridge of planks in hinges"};
   const int count = p.count("planks");
   const double sag = p.number("sag");
   const Vec3 plank(0.5, 0.1, 1.0);

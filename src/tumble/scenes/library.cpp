@@ -56,9 +56,13 @@ SceneBox recipes::fixed_at(std::string_view name, const Vec3& size, const Vec3& 
   return box;
 }
 
-void recipes::add_surface(Parameters& p, double friction, double restitution) {
-  p.add_number("friction", friction, 0.0, 10.0, "-", "Coulomb coefficient");
-  p.add_number("restitution", restitution, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+Parameter recipes::friction() {
+  return number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of all bodies");
+}
+
+Parameters recipes::with_surface(Parameters p, double friction, double restitution) {
+  p.add(number("friction", friction, 0.0, 10.0, "-", "Coulomb coefficient"));
+  return p.add(number("restitution", restitution, 0.0, 1.0, "-", "0 sticks, 1 bounces back"));
 }
 
 void recipes::set_surfaces(const Parameters& p, Scene& scene) {

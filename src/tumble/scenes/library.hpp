@@ -33,7 +33,6 @@ const SceneRecipe& scene_recipe(std::string_view name);
 
 /// A built-in scene with some of its parameters changed.
 /// \param settings  each as key=value
-/// \param seed      of scenes with randomness
 /// \throws std::invalid_argument for a name, a key or a value that does not exist
 Scene make_scene(std::string_view name, const std::vector<std::string>& settings = {},
                  std::uint64_t seed = 1);

@@ -12,6 +12,8 @@
 /// Recipes of built-in scenes; users find them through scene_library().
 namespace tumble::recipes {
 
+using namespace declare;
+
 /// Boxes piled up at rest: stack, pyramid, pyramid3d, wall.
 void add_structures(std::vector<SceneRecipe>& list);
 
@@ -39,9 +41,8 @@ void add_jointed(std::vector<SceneRecipe>& list);
 /// Boxes on a line whose collisions have an order: line, fig5_1.
 void add_lines(std::vector<SceneRecipe>& list);
 
-/// Declares how far the boxes of a pile are from their places: `scatter` and `scatter_angle`.
-/// \param p gets the two settings, 0 by default
-void add_scatter(Parameters& p);
+/// Declares also how far the boxes of a pile are from their places: `scatter` and `scatter_angle`, 0 by default.
+Parameters with_scatter(Parameters p);
 
 /// Builds a pile anew, less exactly: each box in turn is shifted sideways by up to `scatter` along
 /// x and z and turned by up to `scatter_angle` about any axis, is then lowered until it touches the
@@ -49,7 +50,7 @@ void add_scatter(Parameters& p);
 ///
 /// Nothing overlaps whatever the settings are: a box that has become too wide for its place lies on
 /// its neighbours. With both settings 0 not a bit of the scene changes.
-/// \param p       has the settings of add_scatter()
+/// \param p       has the settings of with_scatter()
 /// \param random  one stream for each box is taken from it
 /// \param scene   boxes above a ground, each after those that it stands on
 /// \par Cost
@@ -65,26 +66,25 @@ void build_pyramid(int rows, double spacing, Scene& scene);
 /// Puts the boxes of clump() into a scene; projectile() shoots at it.
 /// \param per_edge  boxes along each edge of the grid
 /// \param spacing   [m] from centre to centre
-/// \param scene     gets the boxes
 void build_clump(int per_edge, double spacing, Random random, Scene& scene);
 
 /// A movable box that is at rest and upright.
 /// \param size        [m] full edge lengths
-/// \param position_w  [m] its centre
 /// \param mass        [kg]
 /// \return the box, with the friction and restitution of SceneBox
 SceneBox box_at(std::string_view name, const Vec3& size, const Vec3& position_w, double mass = 1.0);
 
 /// An immovable box that is upright.
 /// \param size        [m] full edge lengths
-/// \param position_w  [m] its centre
 SceneBox fixed_at(std::string_view name, const Vec3& size, const Vec3& position_w);
 
-/// Declares `friction` and `restitution`.
-/// \param p            gets the two settings
+/// Declares `friction`.
+Parameter friction();
+
+/// Declares also `friction` and `restitution`.
 /// \param friction     [-] its default
 /// \param restitution  [-] ditto
-void add_surface(Parameters& p, double friction, double restitution);
+Parameters with_surface(Parameters p, double friction, double restitution);
 
 /// Gives all boxes the settings `friction` and `restitution`.
 void set_surfaces(const Parameters& p, Scene& scene);

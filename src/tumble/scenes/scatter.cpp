@@ -35,10 +35,11 @@ double lowered(Box box, const std::vector<Box>& before, const std::vector<Bounds
 
 }  // namespace
 
-void add_scatter(Parameters& p) {
-  p.add_number("scatter", 0.0, 0.0, 0.1, "m", "how far each box is off its place, along each axis");
-  p.add_number("scatter_angle", 0.0, 0.0, 10.0, "deg",
-               "largest rotation of each box, about any axis");
+Parameters with_scatter(Parameters p) {
+  p.add(
+      number("scatter", 0.0, 0.0, 0.1, "m", "how far each box is off its place, along each axis"));
+  return p.add(number("scatter_angle", 0.0, 0.0, 10.0, "deg",
+                      "largest rotation of each box, about any axis"));
 }
 
 void scatter(const Parameters& p, const Random& random, Scene& scene) {

@@ -85,7 +85,6 @@ std::string_view message_of(const std::invalid_argument& error);
 ///
 /// A box without a name gets "box" and its place from 1, or the next number that is free.
 /// \param scene  as written by a user or built by a program; then each box has a name
-/// \return the world at time 0
 /// \throws SceneMistake naming the first value that is wrong: no box, a size or mass that
 ///         box_properties() refuses, a place or motion that require_motion_limits() refuses, a gravity that require_gravity() refuses,
 ///         a quaternion that is not of length 1, a name that is used twice, is "ground" beside a ground or has control characters in it, a velocity of
@@ -101,7 +100,6 @@ World start_world(Scene& scene);
 Scene checked(Scene scene);
 
 /// Checks a scene and builds its world.
-/// \return the world at time 0
 /// \throws SceneMistake as start_world() does
 World build_world(const Scene& scene);
 

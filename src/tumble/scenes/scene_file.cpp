@@ -20,7 +20,6 @@
 // tenth of the module of the live page. The library of em++ lacks these two; the second one is never called.
 #include <charconv>
 #include <cmath>
-#include <concepts>
 namespace std {
 inline from_chars_result from_chars(const char* first, const char* last, double& value) {
   value = tumble::parse_number(string(first, last)).value_or(HUGE_VAL);
@@ -46,7 +45,6 @@ to_chars_result to_chars(char* /*first*/, char* last, Float /*value*/, Form... /
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <initializer_list>
 #include <vector>
 

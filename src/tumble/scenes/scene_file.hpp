@@ -14,13 +14,11 @@ namespace tumble {
 ///
 /// A misspelt key is an error; no key is ignored.
 /// \param file  its name, for messages
-/// \return the scene, checked
 /// \throws std::invalid_argument "FILE:LINE: KEY = VALUE: what would be right"
 Scene parse_scene(std::string_view text, std::string_view file);
 
 /// Reads a scene file.
 /// \param path  a TOML file of at most 64 MiB
-/// \return the scene, checked
 /// \throws std::invalid_argument if it cannot be read, or as parse_scene()
 Scene read_scene(const std::filesystem::path& path);
 

@@ -5,7 +5,6 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/one_line.hpp"
 #include "tumble/base/suggestion.hpp"
-#include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/tolerances.hpp"
 #include "tumble/scenes/scene.hpp"
 #include "tumble/scenes/scene_names.hpp"

@@ -1,6 +1,5 @@
 /// \file
 /// \brief Writing a scene as a TOML file.
-#include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/scenes/scene_file.hpp"

@@ -38,7 +38,6 @@ class Simulation {
   /// Begins at time 0 with a technique of the library.
   /// \param technique  its name (`tumble techniques`)
   /// \param settings   its options that differ from their defaults, each as key=value
-  /// \param seed       random seed of the technique
   /// \throws std::invalid_argument for a name, a key or a value that does not exist
   /// \throws SceneMistake as checked() does
   explicit Simulation(Scene scene, std::string_view technique = kDefaultTechnique,

@@ -10,12 +10,11 @@ namespace tumble::recipes {
 namespace {
 
 Parameters box_drop_parameters() {
-  Parameters p;
-  p.add_number("height", 1.0, 0.0, 1e4, "m", "height of the lowest corner over the ground");
-  p.add_number("size", 1.0, 1e-3, 1e3, "m", "edge of the cube");
-  p.add_number("tilt", 30.0, -180.0, 180.0, "deg", "rotation about the z axis");
-  add_surface(p, 0.5, 0.0);
-  return p;
+  return with_surface(
+      {number("height", 1.0, 0.0, 1e4, "m", "height of the lowest corner over the ground"),
+       number("size", 1.0, 1e-3, 1e3, "m", "edge of the cube"),
+       number("tilt", 30.0, -180.0, 180.0, "deg", "rotation about the z axis")},
+      0.5, 0.0);
 }
 
 // How far a cube that is turned about z reaches below its centre.
@@ -24,8 +23,7 @@ double reach_below(const SceneBox& box) {
 }
 
 Scene box_drop(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a cube dropped on an edge";
+  Scene scene{.title = "a cube dropped on an edge"};
   SceneBox box = box_at("cube", Vec3::Constant(p.number("size")), Vec3::Zero(), 1.0);
   box.orientation_wb = rotation_from_degrees(Vec3(0.0, 0.0, p.number("tilt")));
   box.position_w.y() = p.number("height") + reach_below(box);
@@ -35,15 +33,13 @@ Scene box_drop(const Parameters& p, Random) {
 }
 
 Parameters bouncing_box_parameters() {
-  return Parameters{}
-      .add_number("height", 1.0, 0.0, 1e4, "m", "height of the lower face over the ground")
-      .add_number("size", 1.0, 1e-3, 1e3, "m", "edge of the cube")
-      .add_number("restitution", 0.9, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  return {number("height", 1.0, 0.0, 1e4, "m", "height of the lower face over the ground"),
+          number("size", 1.0, 1e-3, 1e3, "m", "edge of the cube"),
+          number("restitution", 0.9, 0.0, 1.0, "-", "0 sticks, 1 bounces back")};
 }
 
 Scene bouncing_box(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a cube dropped flat on the ground";
+  Scene scene{.title = "a cube dropped flat on the ground"};
   SceneBox box = box_at("cube", Vec3::Constant(p.number("size")),
                         Vec3(0.0, p.number("height") + 0.5 * p.number("size"), 0.0), 1.0);
   box.restitution = p.number("restitution");
@@ -53,18 +49,16 @@ Scene bouncing_box(const Parameters& p, Random) {
 }
 
 Parameters tumbling_box_parameters() {
-  return Parameters{}
-      .add_number("spin_x", 0.01, -100.0, 100.0, "rad/s", "angular velocity about the longest edge")
-      .add_number("spin_y", 5.0, -100.0, 100.0, "rad/s", "angular velocity about the middle edge")
-      .add_number("spin_z", 0.02, -100.0, 100.0, "rad/s",
-                  "angular velocity about the shortest edge");
+  return {
+      number("spin_x", 0.01, -100.0, 100.0, "rad/s", "angular velocity about the longest edge"),
+      number("spin_y", 5.0, -100.0, 100.0, "rad/s", "angular velocity about the middle edge"),
+      number("spin_z", 0.02, -100.0, 100.0, "rad/s", "angular velocity about the shortest edge")};
 }
 
 // Spinning about its middle axis a free body turns over again and again (Dzhanibekov).
 Scene tumbling_box(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a free box of three different edges, spinning about the middle one";
-  scene.gravity_w = Vec3::Zero();
+  Scene scene{.title = "a free box of three different edges, spinning about the middle one",
+              .gravity_w = Vec3::Zero()};
   SceneBox box = box_at("box", Vec3(3.0, 2.0, 1.0), Vec3::Zero(), 12.0);
   box.angular_velocity_w = Vec3(p.number("spin_x"), p.number("spin_y"), p.number("spin_z"));
   scene.boxes.push_back(box);
@@ -72,19 +66,17 @@ Scene tumbling_box(const Parameters& p, Random) {
 }
 
 Parameters two_boxes_parameters() {
-  return Parameters{}
-      .add_number("speed", 2.0, 0.0, 1e3, "m/s", "speed of the left cube")
-      .add_number("offset", 0.75, -1.4, 1.4, "m",
-                  "height of the right box's centre over the left's")
-      .add_number("gap", 1.0, 0.0, 1e3, "m", "gap between the faces at the start")
-      .add_number("restitution", 0.5, 0.0, 1.0, "-", "0 sticks, 1 bounces back")
-      .add_number("friction", 0.0, 0.0, 10.0, "-", "Coulomb coefficient");
+  return {
+      number("speed", 2.0, 0.0, 1e3, "m/s", "speed of the left cube"),
+      number("offset", 0.75, -1.4, 1.4, "m", "height of the right box's centre over the left's"),
+      number("gap", 1.0, 0.0, 1e3, "m", "gap between the faces at the start"),
+      number("restitution", 0.5, 0.0, 1.0, "-", "0 sticks, 1 bounces back"),
+      number("friction", 0.0, 0.0, 10.0, "-", "Coulomb coefficient")};
 }
 
 Scene two_boxes(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a cube flies into a heavier box, off its centre";
-  scene.gravity_w = Vec3::Zero();
+  Scene scene{.title = "a cube flies into a heavier box, off its centre",
+              .gravity_w = Vec3::Zero()};
   scene.boxes = {box_at("left", Vec3::Ones(), Vec3::Zero(), 1.0),
                  box_at("right", Vec3(1.0, 2.0, 1.0),
                         Vec3(1.0 + p.number("gap"), p.number("offset"), 0.0), 3.0)};
@@ -94,16 +86,13 @@ Scene two_boxes(const Parameters& p, Random) {
 }
 
 Parameters crate_parameters() {
-  Parameters p;
-  p.add_number("speed", 3.5, 0.0, 100.0, "m/s", "speed of the crate along the table");
-  add_surface(p, 0.3, 0.1);
-  return p;
+  return with_surface(
+      {number("speed", 3.5, 0.0, 100.0, "m/s", "speed of the crate along the table")}, 0.3, 0.1);
 }
 
 // The example with which the thesis opens (1.1).
 Scene crate_off_table(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a crate slides along a table and tumbles over its edge";
+  Scene scene{.title = "a crate slides along a table and tumbles over its edge"};
   scene.boxes = {fixed_at("table", Vec3(2.0, 0.8, 1.2), Vec3(0.0, 0.4, 0.0)),
                  box_at("crate", Vec3(0.4, 0.3, 0.3), Vec3(-0.6, 0.95, 0.0), 2.0)};
   scene.boxes[1].velocity_w.x() = p.number("speed");
@@ -112,18 +101,15 @@ Scene crate_off_table(const Parameters& p, Random) {
 }
 
 Parameters cradle_parameters() {
-  return Parameters{}
-      .add_whole("count", 5, 2, 1000, "cubes in all")
-      .add_whole("moving", 1, 1, 999, "cubes that arrive together from the left, fewer than count")
-      .add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back")
-      .add_number("gap", 0.5, 0.0, 100.0, "m", "gap between the arriving cubes and the row");
+  return {whole("count", 5, 2, 1000, "cubes in all"),
+          whole("moving", 1, 1, 999, "cubes that arrive together from the left, fewer than count"),
+          number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back"),
+          number("gap", 0.5, 0.0, 100.0, "m", "gap between the arriving cubes and the row")};
 }
 
 // Newton's cradle without strings: cubes in a row that touch, in free space.
 Scene cradle(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "Newton's cradle";
-  scene.gravity_w = Vec3::Zero();
+  Scene scene{.title = "Newton's cradle", .gravity_w = Vec3::Zero()};
   const std::string count = std::to_string(p.count("count"));
   require::that(p.count("moving") < p.count("count"),
                 "moving = " + std::to_string(p.count("moving")) +

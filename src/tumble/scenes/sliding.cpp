@@ -10,19 +10,17 @@ namespace tumble::recipes {
 namespace {
 
 Parameters slide_parameters() {
-  return Parameters{}
-      .add_number("speed", 3.0, 0.0, 1e3, "m/s", "speed of the box at the start")
-      .add_number("heading", 0.0, -180.0, 180.0, "deg",
-                  "direction of the speed, from the x axis towards -z")
-      .add_number("width", 1.0, 1e-3, 1e3, "m", "width of the box, along x and z")
-      .add_number("height", 0.2, 1e-3, 1e3, "m", "height of the box")
-      .add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient");
+  return {number("speed", 3.0, 0.0, 1e3, "m/s", "speed of the box at the start"),
+          number("heading", 0.0, -180.0, 180.0, "deg",
+                 "direction of the speed, from the x axis towards -z"),
+          number("width", 1.0, 1e-3, 1e3, "m", "width of the box, along x and z"),
+          number("height", 0.2, 1e-3, 1e3, "m", "height of the box"),
+          number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient")};
 }
 
 // It stops after v²/(2 μ g).
 Scene slide(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a box slides on the ground and stops";
+  Scene scene{.title = "a box slides on the ground and stops"};
   const double heading = p.number("heading") * std::numbers::pi / 180.0;
   SceneBox box = box_at("box", Vec3(p.number("width"), p.number("height"), p.number("width")),
                         Vec3(0.0, 0.5 * p.number("height"), 0.0), 1.0);
@@ -34,20 +32,18 @@ Scene slide(const Parameters& p, Random) {
 }
 
 Parameters slope_parameters() {
-  return Parameters{}
-      .add_number("angle", 30.0, 0.0, 80.0, "deg", "angle of the slope, down along x")
-      .add_number("speed", 0.0, -100.0, 100.0, "m/s",
-                  "speed of the box down the slope at the start")
-      .add_number("width", 1.0, 1e-3, 5.0, "m", "width of the box, along the slope")
-      .add_number("height", 0.2, 1e-3, 1e3, "m", "height of the box")
-      .add_number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient");
+  return {
+      number("angle", 30.0, 0.0, 80.0, "deg", "angle of the slope, down along x"),
+      number("speed", 0.0, -100.0, 100.0, "m/s", "speed of the box down the slope at the start"),
+      number("width", 1.0, 1e-3, 5.0, "m", "width of the box, along the slope"),
+      number("height", 0.2, 1e-3, 1e3, "m", "height of the box"),
+      number("friction", 0.3, 0.0, 10.0, "-", "Coulomb coefficient")};
 }
 
 // The middle of the slope's face is the origin. The box slides down above atan μ and tips over its
 // lower edge above atan(width/height).
 Scene slope(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a box on a slope";
+  Scene scene{.title = "a box on a slope"};
   const double angle = p.number("angle") * std::numbers::pi / 180.0;
   const Vec3 along(elementary::cos(angle), -elementary::sin(angle), 0.0);
   const Vec3 up(-along.y(), along.x(), 0.0);
@@ -65,21 +61,19 @@ Scene slope(const Parameters& p, Random) {
 }
 
 Parameters fig5_2_parameters() {
-  return Parameters{}
-      .add_number("speed", 2.0, 0.0, 3.0, "m/s", "speed of A at the start; B is at rest")
-      .add_number("mass", 1.0, 1e-3, 1e3, "kg", "mass of A")
-      .add_number("lower_mass", 2.0, 1e-3, 1e3, "kg", "mass of B")
-      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of A and B")
-      .add_number(
-          "ground_friction", 0.0, 0.0, 10.0, "-",
-          "Coulomb coefficient of the ground; B on the ground has the root of the product of both");
+  return {number("speed", 2.0, 0.0, 3.0, "m/s", "speed of A at the start; B is at rest"),
+          number("mass", 1.0, 1e-3, 1e3, "kg", "mass of A"),
+          number("lower_mass", 2.0, 1e-3, 1e3, "kg", "mass of B"),
+          number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of A and B"),
+          number("ground_friction", 0.0, 0.0, 10.0, "-",
+                 "Coulomb coefficient of the ground; B on the ground has the root of the product "
+                 "of both")};
 }
 
 // A slows down and B is dragged along: on ground without friction both end at the speed
 // m_A v/(m_A + m_B), which a friction that only slows bodies down cannot do.
 Scene fig5_2(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a block slides on a block that is free to move (figure 5.2)";
+  Scene scene{.title = "a block slides on a block that is free to move (figure 5.2)"};
   SceneBox lower = box_at("B", Vec3(4.0, 0.4, 1.0), Vec3(0.0, 0.2, 0.0), p.number("lower_mass"));
   SceneBox upper = box_at("A", Vec3(0.6, 0.4, 0.6), Vec3(-1.5, 0.6, 0.0), p.number("mass"));
   upper.velocity_w = Vec3(p.number("speed"), 0.0, 0.0);
@@ -90,22 +84,20 @@ Scene fig5_2(const Parameters& p, Random) {
 }
 
 Parameters sled_parameters() {
-  return Parameters{}
-      .add_number("speed", 1.0, 0.0, 100.0, "m/s",
-                  "speed of the sled at the start; its load is at rest")
-      .add_whole("count", 2, 1, 100, "boxes on the sled, on top of each other")
-      .add_number("sled_mass", 4.0, 1e-3, 1e3, "kg", "mass of the sled; a box has 1 kg")
-      .add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of sled and boxes")
-      .add_number("ground_friction", 0.0, 0.0, 10.0, "-",
-                  "Coulomb coefficient of the ground; the sled on the ground has the root of the "
-                  "product of both");
+  return {number("speed", 1.0, 0.0, 100.0, "m/s",
+                 "speed of the sled at the start; its load is at rest"),
+          whole("count", 2, 1, 100, "boxes on the sled, on top of each other"),
+          number("sled_mass", 4.0, 1e-3, 1e3, "kg", "mass of the sled; a box has 1 kg"),
+          number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of sled and boxes"),
+          number("ground_friction", 0.0, 0.0, 10.0, "-",
+                 "Coulomb coefficient of the ground; the sled on the ground has the root of the "
+                 "product of both")};
 }
 
 // Friction has to be handed on from box to box for the upper ones to come along. The boxes are
 // flat, so that they slide and do not topple.
 Scene sled(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a stack on a sled";
+  Scene scene{.title = "a stack on a sled"};
   SceneBox sledge = box_at("sled", Vec3(3.0, 0.2, 1.0), Vec3(0.0, 0.1, 0.0), p.number("sled_mass"));
   sledge.velocity_w = Vec3(p.number("speed"), 0.0, 0.0);
   scene.boxes.push_back(sledge);

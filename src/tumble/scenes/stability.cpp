@@ -23,25 +23,18 @@ Quat about_vertical(double degrees) {
   return rotation_from_vector(Vec3(0.0, degrees * kRadiansPerDegree, 0.0));
 }
 
-void add_friction(Parameters& p) {
-  p.add_number("friction", 0.5, 0.0, 10.0, "-", "Coulomb coefficient of all bodies");
-}
-
 Parameters fig5_3_parameters() {
-  Parameters p;
-  p.add_number("shift", 0.6, 0.0, 0.8, "m",
-               "shift of the top cube, along x and along -z; tips above 0.5");
-  p.add_number("yaw", 20.0, -45.0, 45.0, "deg", "angle of the top cube about the vertical");
-  add_friction(p);
-  return p;
+  return {number("shift", 0.6, 0.0, 0.8, "m",
+                 "shift of the top cube, along x and along -z; tips above 0.5"),
+          number("yaw", 20.0, -45.0, 45.0, "deg", "angle of the top cube about the vertical"),
+          friction()};
 }
 
 // At 20 degrees one lower corner is over the bottom cube if shift is from 0.21 to 0.79. The corner
 // of the bottom cube at (0.5, -0.5) is under the top one at all settings, and where the centre of the
 // top cube is over the bottom one, it stands.
 Scene fig5_3(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a cube with one corner on another cube (figure 5.3)";
+  Scene scene{.title = "a cube with one corner on another cube (figure 5.3)"};
   const double shift = p.number("shift");
   scene.boxes = {solid_at("bottom", Vec3::Ones(), Vec3(0.0, 0.5, 0.0)),
                  solid_at("top", Vec3::Ones(), Vec3(shift, 1.5, -shift))};
@@ -51,17 +44,14 @@ Scene fig5_3(const Parameters& p, Random) {
 }
 
 Parameters fig5_4_parameters() {
-  Parameters p;
-  p.add_number("offset", 0.0, -0.5, 0.5, "m", "offset of the top cube from the middle, along x");
-  p.add_number("speed", 0.0, -100.0, 100.0, "m/s", "speed of the top cube along x at the start");
-  add_friction(p);
-  return p;
+  return {number("offset", 0.0, -0.5, 0.5, "m", "offset of the top cube from the middle, along x"),
+          number("speed", 0.0, -100.0, 100.0, "m/s", "speed of the top cube along x at the start"),
+          friction()};
 }
 
 // At both ends of its range of offsets a face of the top cube is over one of the bottom box.
 Scene fig5_4(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a cube whole on a larger box (figure 5.4)";
+  Scene scene{.title = "a cube whole on a larger box (figure 5.4)"};
   scene.boxes = {solid_at("bottom", Vec3(2.0, 1.0, 2.0), Vec3(0.0, 0.5, 0.0)),
                  solid_at("top", Vec3::Ones(), Vec3(p.number("offset"), 1.5, 0.0))};
   scene.boxes[1].velocity_w = Vec3(p.number("speed"), 0.0, 0.0);
@@ -70,17 +60,14 @@ Scene fig5_4(const Parameters& p, Random) {
 }
 
 Parameters fig5_5_parameters() {
-  Parameters p;
-  p.add_number("gap", 0.4, 0.0, 0.8, "m", "gap between the two bottom boxes; 0: they touch");
-  p.add_number("yaw", 0.0, -30.0, 30.0, "deg", "angle of the top box about the vertical");
-  add_friction(p);
-  return p;
+  return {number("gap", 0.4, 0.0, 0.8, "m", "gap between the two bottom boxes; 0: they touch"),
+          number("yaw", 0.0, -30.0, 30.0, "deg", "angle of the top box about the vertical"),
+          friction()};
 }
 
 // At all settings each bottom box is under two of the top one's lower corners.
 Scene fig5_5(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a box on two others (figure 5.5)";
+  Scene scene{.title = "a box on two others (figure 5.5)"};
   const Vec3 bottom(1.0, 1.0, 2.0);
   const double aside = 0.5 * (bottom.x() + p.number("gap"));
   scene.boxes = {solid_at("left", bottom, Vec3(-aside, 0.5, 0.0)),
@@ -92,13 +79,11 @@ Scene fig5_5(const Parameters& p, Random) {
 }
 
 Parameters fig5_6_parameters() {
-  Parameters p;
-  p.add_whole("rows", 11, 3, 99, "boxes in the lowest row before one is taken out; an odd number");
-  p.add_number("gap", 0.05, 0.0, 0.9, "-",
-               "gap between neighbours in a row, in edges; 0: they touch");
-  add_friction(p);
-  add_scatter(p);
-  return p;
+  return with_scatter(
+      {whole("rows", 11, 3, 99, "boxes in the lowest row before one is taken out; an odd number"),
+       number("gap", 0.05, 0.0, 0.9, "-",
+              "gap between neighbours in a row, in edges; 0: they touch"),
+       friction()});
 }
 
 // Its boxes have the names that they have in the whole pyramid.
@@ -117,14 +102,12 @@ Scene fig5_6(const Parameters& p, Random random) {
 }
 
 Parameters fig6_4_parameters() {
-  Parameters p;
-  p.add_whole("count", 5, 1, 100, "blocks on the base");
-  p.add_word("pattern", {"to_and_fro", "staircase"},
-             "direction of shifts: right, left, left, right and so on, or always right");
-  p.add_number("overhang", 0.25, 0.0, 0.99, "-",
-               "overhang from each block to the one on it, in lengths of a block");
-  add_friction(p);
-  return p;
+  return {whole("count", 5, 1, 100, "blocks on the base"),
+          word("pattern", {"to_and_fro", "staircase"},
+               "direction of shifts: right, left, left, right and so on, or always right"),
+          number("overhang", 0.25, 0.0, 0.99, "-",
+                 "overhang from each block to the one on it, in lengths of a block"),
+          friction()};
 }
 
 // Blocks upon one block stand if the centre of all of them is over the face that they stand on. To

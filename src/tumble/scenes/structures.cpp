@@ -7,19 +7,11 @@
 namespace tumble::recipes {
 namespace {
 
-Parameters with_friction() {
-  return Parameters{}.add_number("friction", 0.5, 0.0, 10.0, "-",
-                                 "Coulomb coefficient of all bodies");
-}
-
 Parameters stack_parameters() {
-  Parameters p = with_friction();
-  p.add_whole("count", 10, 1, 10000, "boxes");
-  p.add_number("size", 1.0, 1e-3, 1e3, "m", "edge of a cube");
-  p.add_number("mass", 1.0, 1e-6, 1e6, "kg", "mass of a cube");
-  p.add_number("top_mass", 1.0, 1e-6, 1e6, "kg", "mass of the uppermost cube");
-  add_scatter(p);
-  return p;
+  return with_scatter({friction(), whole("count", 10, 1, 10000, "boxes"),
+                       number("size", 1.0, 1e-3, 1e3, "m", "edge of a cube"),
+                       number("mass", 1.0, 1e-6, 1e6, "kg", "mass of a cube"),
+                       number("top_mass", 1.0, 1e-6, 1e6, "kg", "mass of the uppermost cube")});
 }
 
 Scene stack(const Parameters& p, Random random) {
@@ -37,11 +29,9 @@ Scene stack(const Parameters& p, Random random) {
 }
 
 Parameters pyramid_parameters() {
-  Parameters p = with_friction();
-  p.add_whole("rows", 10, 1, 100, "boxes in the lowest row");
-  p.add_number("spacing", 1.05, 1.0, 1.9, "-", "distance of centres in a row, in edges");
-  add_scatter(p);
-  return p;
+  return with_scatter(
+      {friction(), whole("rows", 10, 1, 100, "boxes in the lowest row"),
+       number("spacing", 1.05, 1.0, 1.9, "-", "distance of centres in a row, in edges")});
 }
 
 Scene pyramid(const Parameters& p, Random random) {
@@ -54,11 +44,9 @@ Scene pyramid(const Parameters& p, Random random) {
 }
 
 Parameters pyramid3d_parameters() {
-  Parameters p = with_friction();
-  p.add_whole("rows", 10, 1, 30, "layers, and boxes along each edge of the lowest one");
-  p.add_number("spacing", 1.05, 1.0, 1.9, "-", "distance of centres in a layer, in edges");
-  add_scatter(p);
-  return p;
+  return with_scatter(
+      {friction(), whole("rows", 10, 1, 30, "layers, and boxes along each edge of the lowest one"),
+       number("spacing", 1.05, 1.0, 1.9, "-", "distance of centres in a layer, in edges")});
 }
 
 // Square layers, each box over the middle of the four below it.
@@ -84,19 +72,15 @@ Scene pyramid3d(const Parameters& p, Random random) {
 }
 
 Parameters wall_parameters() {
-  Parameters p = with_friction();
-  p.add_whole("courses", 20, 1, 200, "rows of bricks");
-  p.add_whole("bricks", 20, 1, 200, "bricks in a row");
-  p.add_number("gap", 0.01, 0.0, 0.2, "m", "gap between neighbours in a row");
-  add_scatter(p);
-  return p;
+  return with_scatter({friction(), whole("courses", 20, 1, 200, "rows of bricks"),
+                       whole("bricks", 20, 1, 200, "bricks in a row"),
+                       number("gap", 0.01, 0.0, 0.2, "m", "gap between neighbours in a row")});
 }
 
 // Quarter bond: every other course is shifted by a quarter of a brick. With half bond the free
 // bricks at the ends would overhang by more than half, and the wall would fall by itself.
 Scene wall(const Parameters& p, Random random) {
-  Scene scene;
-  scene.title = "a wall in quarter bond";
+  Scene scene{.title = "a wall in quarter bond"};
   const Vec3 size(1.0, 0.5, 0.5);
   for (int course = 0; course < p.count("courses"); ++course) {
     for (int i = 0; i < p.count("bricks"); ++i) {

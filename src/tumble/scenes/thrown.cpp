@@ -7,13 +7,12 @@ namespace tumble::recipes {
 namespace {
 
 Parameters clump_parameters() {
-  Parameters p;
-  p.add_whole("per_edge", 5, 1, 20, "cubes along each edge of the grid they start on");
-  p.add_number("spacing", 2.0, 1.75, 100.0, "m", "distance of centres at the start");
-  p.add_number("speed", 2.0, 0.0, 100.0, "m/s", "speed of each cube at the start");
-  p.add_word("toward", {"axis", "origin"}, "target of the flight: the vertical axis or the origin");
-  add_surface(p, 0.5, 0.0);
-  return p;
+  return with_surface(
+      {whole("per_edge", 5, 1, 20, "cubes along each edge of the grid they start on"),
+       number("spacing", 2.0, 1.75, 100.0, "m", "distance of centres at the start"),
+       number("speed", 2.0, 0.0, 100.0, "m/s", "speed of each cube at the start"),
+       word("toward", {"axis", "origin"}, "target of the flight: the vertical axis or the origin")},
+      0.5, 0.0);
 }
 
 // As the caption of the figure says.
@@ -24,8 +23,7 @@ Parameters fig6_7_parameters() {
 }
 
 Scene clump(const Parameters& p, Random random) {
-  Scene scene;
-  scene.title = "cubes that fly together and settle (figure 6.7)";
+  Scene scene{.title = "cubes that fly together and settle (figure 6.7)"};
   build_clump(p.count("per_edge"), p.number("spacing"), random, scene);
   for (SceneBox& box : scene.boxes) {
     Vec3 inward = -box.position_w;
@@ -38,17 +36,16 @@ Scene clump(const Parameters& p, Random random) {
 }
 
 Parameters projectile_parameters() {
-  Parameters p;
-  p.add_word("target", {"pyramid", "clump"}, "target of the shot");
-  p.add_whole("rows", 10, 1, 100, "rows of the pyramid");
-  p.add_whole("per_edge", 4, 1, 20, "cubes along each edge of the clump's grid");
-  p.add_number("mass", 5.0, 1e-3, 1e6, "kg", "mass of the projectile");
-  p.add_number("speed", 20.0, 0.0, 1e3, "m/s", "speed of the projectile");
-  p.add_number("height", 3.5, 0.5, 1e3, "m", "height of the projectile's centre");
-  p.add_number("distance", 5.0, 1.5, 1e3, "m", "distance from the projectile to the target");
-  p.add_number("appears", 2.0, 0.0, 1e3, "s", "time of the shot");
-  add_surface(p, 0.5, 0.0);
-  return p;
+  return with_surface(
+      {word("target", {"pyramid", "clump"}, "target of the shot"),
+       whole("rows", 10, 1, 100, "rows of the pyramid"),
+       whole("per_edge", 4, 1, 20, "cubes along each edge of the clump's grid"),
+       number("mass", 5.0, 1e-3, 1e6, "kg", "mass of the projectile"),
+       number("speed", 20.0, 0.0, 1e3, "m/s", "speed of the projectile"),
+       number("height", 3.5, 0.5, 1e3, "m", "height of the projectile's centre"),
+       number("distance", 5.0, 1.5, 1e3, "m", "distance from the projectile to the target"),
+       number("appears", 2.0, 0.0, 1e3, "s", "time of the shot")},
+      0.5, 0.0);
 }
 
 Scene projectile(const Parameters& p, Random random) {
@@ -73,19 +70,16 @@ Scene projectile(const Parameters& p, Random random) {
 }
 
 Parameters dice_parameters() {
-  Parameters p;
-  p.add_whole("count", 5, 1, 100, "dice");
-  p.add_number("size", 0.1, 1e-3, 100.0, "m", "edge of a die");
-  p.add_number("mass", 0.4, 1e-6, 1e6, "kg", "mass of a die");
-  p.add_number("speed", 2.0, 0.0, 100.0, "m/s", "sideways, at the start");
-  p.add_number("spin", 15.0, 0.0, 1e3, "rad/s", "at the start, about a random axis");
-  add_surface(p, 0.3, 0.4);
-  return p;
+  return with_surface(
+      {whole("count", 5, 1, 100, "dice"), number("size", 0.1, 1e-3, 100.0, "m", "edge of a die"),
+       number("mass", 0.4, 1e-6, 1e6, "kg", "mass of a die"),
+       number("speed", 2.0, 0.0, 100.0, "m/s", "sideways, at the start"),
+       number("spin", 15.0, 0.0, 1e3, "rad/s", "at the start, about a random axis")},
+      0.3, 0.4);
 }
 
 Scene dice(const Parameters& p, Random random) {
-  Scene scene;
-  scene.title = "thrown dice";
+  Scene scene{.title = "thrown dice"};
   const double size = p.number("size");
   for (int k = 0; k < p.count("count"); ++k) {
     Random chance = random.fork(static_cast<std::uint64_t>(k));
@@ -103,19 +97,16 @@ Scene dice(const Parameters& p, Random random) {
 }
 
 Parameters cage_parameters() {
-  return Parameters{}
-      .add_whole("count", 20, 1, 1000, "cubes")
-      .add_number("room", 2.0, 1.8, 100.0, "m", "edge of the space that each cube has at the start")
-      .add_number("speed", 2.0, 0.0, 1e3, "m/s", "largest component of a cube's velocity")
-      .add_number("spin", 2.0, 0.0, 1e3, "rad/s", "largest component of a cube's angular velocity")
-      .add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  return {whole("count", 20, 1, 1000, "cubes"),
+          number("room", 2.0, 1.8, 100.0, "m", "edge of the space that each cube has at the start"),
+          number("speed", 2.0, 0.0, 1e3, "m/s", "largest component of a cube's velocity"),
+          number("spin", 2.0, 0.0, 1e3, "rad/s", "largest component of a cube's angular velocity"),
+          number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back")};
 }
 
 // Cubes in a closed cage without gravity: nothing rests, everything collides.
 Scene cage(const Parameters& p, Random random) {
-  Scene scene;
-  scene.title = "cubes in a cage without gravity";
-  scene.gravity_w = Vec3::Zero();
+  Scene scene{.title = "cubes in a cage without gravity", .gravity_w = Vec3::Zero()};
   const int count = p.count("count");
   int per_edge = 1;
   while (per_edge * per_edge * per_edge < count) ++per_edge;
@@ -147,19 +138,16 @@ Scene cage(const Parameters& p, Random random) {
 }
 
 Parameters toss_parameters() {
-  Parameters p;
-  p.add_number("size", 0.1048, 1e-3, 100.0, "m", "edge of the cube");
-  p.add_number("mass", 0.37, 1e-6, 1e6, "kg", "mass of the cube");
-  add_surface(p, 0.18, 0.125);
-  return p;
+  return with_surface({number("size", 0.1048, 1e-3, 100.0, "m", "edge of the cube"),
+                       number("mass", 0.37, 1e-6, 1e6, "kg", "mass of the cube")},
+                      0.18, 0.125);
 }
 
 // Drawn from the ranges of the first twenty measured tosses of a cube (ContactNets: Pfrommer, Halm
 // and Posa, CoRL 2020), with its size, mass, friction and restitution. Another size gets heights in
 // edges; speeds stay.
 Scene toss(const Parameters& p, Random random) {
-  Scene scene;
-  scene.title = "a cube tossed onto a table";
+  Scene scene{.title = "a cube tossed onto a table"};
   SceneBox cube = box_at("cube", Vec3::Constant(p.number("size")), Vec3::Zero(), p.number("mass"));
   cube.position_w.y() = p.number("size") * random.uniform(1.18, 1.57);  // 0.124 to 0.165 m
   cube.orientation_wb = random.orientation();

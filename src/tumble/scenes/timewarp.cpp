@@ -12,11 +12,10 @@ namespace tumble::recipes {
 namespace {
 
 Parameters line_parameters() {
-  return Parameters{}
-      .add_text("boxes", "0:2,1.5:0,3.4:-1",
-                "place and speed of each cube, as x:v in edges and m/s")
-      .add_number("size", 1.0, 1e-3, 1e3, "m", "edge of the cubes")
-      .add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  return {
+      text("boxes", "0:2,1.5:0,3.4:-1", "place and speed of each cube, as x:v in edges and m/s"),
+      number("size", 1.0, 1e-3, 1e3, "m", "edge of the cubes"),
+      number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back")};
 }
 
 // Reads a number that ends at a character or at the end of the text; takes it off the text.
@@ -45,9 +44,7 @@ std::string name_of_place(std::size_t k) {
 }
 
 Scene line(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "cubes on a line without gravity";
-  scene.gravity_w = Vec3::Zero();
+  Scene scene{.title = "cubes on a line without gravity", .gravity_w = Vec3::Zero()};
   const std::string& all = p.text("boxes");
   std::string_view rest = all;
   for (;;) {
@@ -66,24 +63,22 @@ Scene line(const Parameters& p, Random) {
 }
 
 Parameters fig5_1_parameters() {
-  return Parameters{}
-      .add_number("size", 0.1, 1e-3, 1e3, "m", "edge of the cubes")
-      .add_number("fast", 24.0, 0.0, 1e4, "m/s", "speed of A")
-      .add_number("slow", 1.2, 0.0, 1e4, "m/s", "speed of D")
-      .add_number("gap_ab", 0.6, 0.0, 100.0, "-", "gap between A and B at the start, in edges")
-      .add_number("gap_bc", 1.3, 0.0, 100.0, "-", "gap between B and C at the start, in edges")
-      .add_number("gap_cd", 0.2, 0.0, 100.0, "-", "gap between C and D at the start, in edges")
-      .add_number("gap_de", 0.13, 0.0, 100.0, "-", "gap between D and E at the start, in edges")
-      .add_number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back");
+  return {number("size", 0.1, 1e-3, 1e3, "m", "edge of the cubes"),
+          number("fast", 24.0, 0.0, 1e4, "m/s", "speed of A"),
+          number("slow", 1.2, 0.0, 1e4, "m/s", "speed of D"),
+          number("gap_ab", 0.6, 0.0, 100.0, "-", "gap between A and B at the start, in edges"),
+          number("gap_bc", 1.3, 0.0, 100.0, "-", "gap between B and C at the start, in edges"),
+          number("gap_cd", 0.2, 0.0, 100.0, "-", "gap between C and D at the start, in edges"),
+          number("gap_de", 0.13, 0.0, 100.0, "-", "gap between D and E at the start, in edges"),
+          number("restitution", 1.0, 0.0, 1.0, "-", "0 sticks, 1 bounces back")};
 }
 
 // In a frame of 1/60 s the fast cube A flies over B and ends in C; D ends in E. With these gaps D
 // meets E at 0.65 of the frame, before A would meet C at 0.725; in truth A meets B at 0.15, B meets C
 // at 0.475, and C meets D at 0.553, which is before D is at E.
 Scene fig5_1(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "five cubes on a line, and the order in which they collide (figure 5.1)";
-  scene.gravity_w = Vec3::Zero();
+  Scene scene{.title = "five cubes on a line, and the order in which they collide (figure 5.1)",
+              .gravity_w = Vec3::Zero()};
   const double size = p.number("size");
   double x = 0.0;
   scene.boxes.push_back(cube_at("A", size, x, p.number("fast")));

@@ -11,10 +11,11 @@ namespace {
 
 constexpr double kTop = 2.0;  // [m] height of the larger box: room for four boxes to fall beside it
 
-void add_common(Parameters& p) {
-  p.add_number("inset", 0.1, 0.0, 1.0, "m",
-               "distance from the edge of the larger box to the pivot");
-  p.add_number("friction", 10.0, 0.0, 1e3, "-", "Coulomb coefficient of everything: very high");
+Parameters with_common(Parameters p) {
+  p.add(
+      number("inset", 0.1, 0.0, 1.0, "m", "distance from the edge of the larger box to the pivot"));
+  return p.add(
+      number("friction", 10.0, 0.0, 1e3, "-", "Coulomb coefficient of everything: very high"));
 }
 
 // The larger box, with its top at kTop and its edge to the right of the pivot; the pivot is at x = 0.
@@ -57,14 +58,12 @@ Scene leaning_column(const Parameters& p, int count) {
 }
 
 Parameters fig6_1_parameters() {
-  Parameters p;
-  p.add_whole("count", 4, 2, 20, "boxes in the column; fig6_2 has one");
-  p.add_number("angle", 0.3, 0.0, 1.0, "rad",
-               "angle of the column's centre, as seen from the pivot, from the vertical");
-  p.add_number("spin", 0.0, 0.0, 10.0, "rad/s",
-               "angular velocity of the column at the start, falling");
-  add_common(p);
-  return p;
+  return with_common(
+      {whole("count", 4, 2, 20, "boxes in the column; fig6_2 has one"),
+       number("angle", 0.3, 0.0, 1.0, "rad",
+              "angle of the column's centre, as seen from the pivot, from the vertical"),
+       number("spin", 0.0, 0.0, 10.0, "rad/s",
+              "angular velocity of the column at the start, falling")});
 }
 
 Scene fig6_1(const Parameters& p, Random) {
@@ -74,13 +73,11 @@ Scene fig6_1(const Parameters& p, Random) {
 }
 
 Parameters fig6_2_parameters() {
-  Parameters p;
-  p.add_number("angle", 0.3, 0.0, 0.75, "rad",
-               "angle of the box's centre, as seen from the pivot, from the vertical");
-  p.add_number("spin", 0.0, 0.0, 10.0, "rad/s",
-               "angular velocity of the box at the start, falling");
-  add_common(p);
-  return p;
+  return with_common(
+      {number("angle", 0.3, 0.0, 0.75, "rad",
+              "angle of the box's centre, as seen from the pivot, from the vertical"),
+       number("spin", 0.0, 0.0, 10.0, "rad/s",
+              "angular velocity of the box at the start, falling")});
 }
 
 Scene fig6_2(const Parameters& p, Random) {
@@ -90,23 +87,20 @@ Scene fig6_2(const Parameters& p, Random) {
 }
 
 Parameters fig6_3_parameters() {
-  Parameters p;
-  p.add_number("lower_angle", -0.65, -1.0, -0.5, "rad", "angle of the lower box, anticlockwise");
-  p.add_number("upper_angle", -0.2, -0.4, 0.0, "rad", "angle of the upper box, anticlockwise");
-  p.add_number("lower_spin", -1.5, -10.0, 0.0, "rad/s",
-               "angular velocity of the lower box, anticlockwise");
-  p.add_number("upper_spin", 1.5, -10.0, 10.0, "rad/s",
-               "angular velocity of the upper box, anticlockwise");
-  add_common(p);
-  return p;
+  return with_common(
+      {number("lower_angle", -0.65, -1.0, -0.5, "rad", "angle of the lower box, anticlockwise"),
+       number("upper_angle", -0.2, -0.4, 0.0, "rad", "angle of the upper box, anticlockwise"),
+       number("lower_spin", -1.5, -10.0, 0.0, "rad/s",
+              "angular velocity of the lower box, anticlockwise"),
+       number("upper_spin", 1.5, -10.0, 10.0, "rad/s",
+              "angular velocity of the upper box, anticlockwise")});
 }
 
 // The lower box turns about its right edge on the larger one; the upper box turns about its left edge
 // on the middle of the lower one's top. Each has a centre of rotation of its own, and the upper one's
 // moves.
 Scene fig6_3(const Parameters& p, Random) {
-  Scene scene;
-  scene.title = "a box rotates on a box that rotates (figure 6.3)";
+  Scene scene{.title = "a box rotates on a box that rotates (figure 6.3)"};
   add_larger(p, scene);
   const Turning lower{Vec3(0.0, kTop, 0.0), Vec3::Zero(), p.number("lower_angle"),
                       p.number("lower_spin")};

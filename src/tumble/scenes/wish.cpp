@@ -4,7 +4,6 @@
 
 #include "tumble/contact/moving_body.hpp"
 #include "tumble/math/elementary.hpp"
-#include "tumble/math/rotation.hpp"
 #include "tumble/scenes/scene.hpp"
 
 #include <algorithm>

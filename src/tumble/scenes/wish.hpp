@@ -63,8 +63,6 @@ struct Wish {
 /// | stays | \f$1 - r/d\f$, if d is above r |
 /// A missing body adds 1.
 /// \param wish   checked by check_wishes()
-/// \param scene  the start
-/// \param world  the end
 /// \return [-] 0 if the wish is met
 /// \verified{Each kind of wish is met on one side of its limit and not on the other}
 [[nodiscard]] double violation(const Wish& wish, const Scene& scene, const World& world);

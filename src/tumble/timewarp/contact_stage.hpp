@@ -48,7 +48,6 @@ class ContactStage {
   /// Counts a collision and decides whether its pair enters the stage.
   /// \param separation_speed  [m/s] after the collision, at the slowest point with an impulse
   /// \param gravity           [m/s²]
-  /// \return whether the pair is in the stage
   bool count(const IndexPair& pair, double separation_speed, double gravity);
 
   /// Puts a pair into the stage.

@@ -35,8 +35,6 @@ struct InstantReport {
 };
 
 /// Upper bound on the velocity change of any point of a body in an impact.
-/// \param before  its motion before the impact
-/// \param after   and after it
 /// \return [m/s] change of linear velocity plus change of angular velocity times half the diagonal
 [[nodiscard]] double speed_change(const BodyProperties& body, const MovingBody& before,
                                   const MovingBody& after);
@@ -85,7 +83,6 @@ class InstantImpacts {
 
   /// Separation velocity of two bodies after the last call of resolve().
   /// \param world  as given to it
-  /// \param pair   one of its pairs
   /// \param time   [s] separation by no more than rounding in this time counts as 0
   /// \return [m/s] smallest over the points with an impulse, or over all points if there are none; 0
   ///         if the bodies do not separate or do not touch

@@ -13,8 +13,6 @@ namespace tumble {
 /// Visits once each pair of a listed body and any other body whose bounds overlap.
 /// \param bodies    indices of the listed bodies, ascending
 /// \param searched  gets an index; false: no pair starts from this body
-/// \param bounds    of all bodies
-/// \param visit     gets the pair
 template <class Searched, class Visit>
 void for_each_near_pair(std::span<const int> bodies, const Searched& searched,
                         std::span<const Bounds> bounds, const Visit& visit) {

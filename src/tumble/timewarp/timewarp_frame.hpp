@@ -123,7 +123,6 @@ class TimewarpFrame {
 
   /// The bodies that may have touched one of two by a time, the two included: findNearObjects. Their
   /// bounds, swept from the valid time until then, overlap those of one of the two.
-  /// \param collision  the two, and the time
   /// \return indices, ascending; valid until the next call
   std::span<const int> find_near(const ForeseenCollision& collision);
 

@@ -1,7 +1,5 @@
 /// \file
 /// \brief Mirtich's timewarp: every body has its own local time (thesis 2.4.3).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/base/cloned.hpp"
@@ -13,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <vector>
 

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The synchronised timewarp that also tests neighbours (thesis 5.1, A.1: SAFERSYNCTIMEWARP).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/base/cloned.hpp"

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The synchronised timewarp in its simple form (thesis 5.1, A.1: SIMPLESYNCTIMEWARP).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/base/cloned.hpp"

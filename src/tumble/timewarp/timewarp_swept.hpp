@@ -1,7 +1,5 @@
 /// \file
 /// \brief The synchronised timewarp with swept volumes, which misses no collision (thesis 5.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/base/cloned.hpp"

@@ -13,7 +13,6 @@
 #include "tumble/impulse_damped/damped_numbers.hpp"
 #include "tumble/impulse_damped/pair_gatherer.hpp"
 
-#include <memory>
 #include <vector>
 
 namespace tumble {

@@ -40,7 +40,6 @@ struct DampenReport {
 /// are those right before line 22.
 /// \param touched   by index: whether the body has had a contact interaction. When that is forgotten
 ///                  again is not said (DM5): it is the caller's
-/// \param numbers   ε and k
 /// \param repaired  the errata that are mended. D5, DM1 to DM4, DM13 and DM16 make a difference
 /// \throws std::invalid_argument if there is not one flag for each body, or for a dt not above 0
 /// \algorithm{DAMPENOBJECTS as printed: appendix A.2}

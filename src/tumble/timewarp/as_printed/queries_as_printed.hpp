@@ -112,7 +112,6 @@ class PrintedQueries {
 
   /// addCollisionsForObject, for one body or for several, each pair once.
   /// \param bodies  indices, ascending
-  /// \param heap    receives the collisions
   void add_collisions_for(std::span<const int> bodies, CollisionHeap& heap);
 
   /// findNearObjects.
@@ -123,7 +122,6 @@ class PrintedQueries {
   /// findCollisionsForGroup, reduced to the earliest collision.
   /// \param group   indices, ascending, with test states at the time of the moment
   /// \param moment  the collision about to be resolved
-  /// \return the earliest collision, if there is one
   std::optional<ForeseenCollision> find_collisions_for_group(std::span<const int> group,
                                                              const PrintedMoment& moment);
 

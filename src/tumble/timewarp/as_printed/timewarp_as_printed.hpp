@@ -1,14 +1,11 @@
 /// \file
 /// \brief The synchronised timewarp as its two listings are printed (thesis A.1).
-///
-/// Uses no other chapter.
 #pragma once
 
 #include "tumble/base/cloned.hpp"
 #include "tumble/timewarp/as_printed/queries_as_printed.hpp"
 #include "tumble/timewarp/as_printed/timewarp_errata.hpp"
 
-#include <memory>
 #include <span>
 #include <vector>
 

@@ -1,6 +1,6 @@
 /// \file
-/// \brief Running ffmpeg.
-#include "ffmpeg.hpp"
+/// \brief Running gnuplot and ffmpeg.
+#include "drawing_programs.hpp"
 
 #include "tumble/base/number_text.hpp"
 #include "tumble/record/table_file.hpp"
@@ -10,11 +10,33 @@
 namespace tumble::app {
 namespace {
 
+// Puts a file that a program has written in its place, or removes what there is of it.
+void finish(int code, const std::filesystem::path& part, const std::filesystem::path& path,
+            const std::string& missing, const std::string& failure) {
+  std::error_code failed;
+  if (code == 0) std::filesystem::rename(part, path, failed);
+  if (code == 0 && !failed) return;
+  std::filesystem::remove(part, failed);
+  throw CannotWrite("tumble: " + (code == kNoProgram ? missing : failure));
+}
+
 std::string_view bytes_of(const Raster& raster) {
   return {reinterpret_cast<const char*>(raster.rgb.data()), raster.rgb.size()};
 }
 
 }  // namespace
+
+void draw_with_gnuplot(const std::filesystem::path& folder, const std::string& script,
+                       const std::string& commands, const std::string& picture) {
+  const std::string part = picture + ".part";
+  write_file(folder / script, "set output '" + part + "'\n" + commands);
+  std::error_code failed;
+  std::filesystem::remove(folder / part, failed);  // a link there would be followed
+  finish(run_program({"gnuplot", script}, folder), folder / part, folder / picture,
+         "gnuplot is missing: install the package gnuplot-nox",
+         "gnuplot could not draw " + (folder / picture).string() + ", its script is " + script +
+             " beside it");
+}
 
 void write_video(const std::filesystem::path& path, int frames, double rate,
                  const std::function<Raster(int)>& frame) {
@@ -42,14 +64,9 @@ void write_video(const std::filesystem::path& path, int frames, double rate,
     std::filesystem::remove(folder / part, failed);
     throw;
   }
-  if (code == 0) std::filesystem::rename(folder / part, path, failed);
-  if (code == 0 && !failed) return;
-  std::filesystem::remove(folder / part, failed);
-  if (code == kNoProgram)
-    throw CannotWrite(
-        "tumble: ffmpeg is missing: install the package ffmpeg, or take --as gif, which needs "
-        "none");
-  throw CannotWrite("tumble: ffmpeg could not write " + path.string());
+  finish(code, folder / part, path,
+         "ffmpeg is missing: install the package ffmpeg, or take --as gif, which needs none",
+         "ffmpeg could not write " + path.string());
 }
 
 }  // namespace tumble::app

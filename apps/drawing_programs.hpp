@@ -1,13 +1,22 @@
 /// \file
-/// \brief Videos by ffmpeg, which runs as a program of its own.
+/// \brief Pictures by gnuplot and videos by ffmpeg, which run as programs of their own.
 #pragma once
 
 #include "tumble/pictures/raster.hpp"
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 namespace tumble::app {
+
+/// Draws a picture. The script stays beside it, so that it can be changed by hand; a picture that
+/// cannot be finished is not left half drawn.
+/// \param folder    where script and picture go
+/// \param commands  gnuplot commands, from the terminal on; they need not set the output
+/// \throws CannotWrite if gnuplot is missing, naming its package, or fails
+void draw_with_gnuplot(const std::filesystem::path& folder, const std::string& script,
+                       const std::string& commands, const std::string& picture);
 
 /// Writes a video (H.264 in MP4). Frames go to ffmpeg one by one, so that none is ever in a file; a video
 /// that cannot be finished is not left half written.
