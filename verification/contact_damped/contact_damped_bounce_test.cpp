@@ -218,6 +218,70 @@ TEST_CASE("A long row of touching boxes on ice that is hit without restitution m
   }
 }
 
+TEST_CASE("A heavy cube pushes a row of cubes with gaps together, and throws none ahead",
+          "[exact][contact_damped]") {
+  // An impact goes on through the row within a step, and the last impulses of one are not the start of the next step.
+  for (const int count : {3, 19, 20, 24, 32, 40}) {
+    for (const double gap : {0.0, 0.001, 0.01}) {
+      CAPTURE(count, gap);
+      constexpr double kMass = 100.0, kSpeed = 6.0;
+      Scene scene;
+      scene.ground.emplace().friction = 0.0;
+      for (int k = 0; k <= count; ++k)
+        scene.boxes.push_back({.name = "cube" + std::to_string(k),
+                               .mass = k == 0 ? kMass : 1.0,
+                               .position_w = Vec3(k == 0 ? -0.05 : k * (1.0 + gap), 0.5, 0.0),
+                               .velocity_w = Vec3(k == 0 ? kSpeed : 0.0, 0.0, 0.0),
+                               .friction = 0.0});
+      Simulation simulation(scene);
+      double overlap = 0.0;
+      for (int n = 0; n < 90; ++n) {
+        const StepReport report = simulation.step();
+        CHECK(report.status == StepStatus::done);
+        overlap = std::max(overlap, report.deepest_overlap);
+      }
+      CHECK(overlap < 0.015);  // [m]
+      const double common = kSpeed * kMass / (count + kMass);
+      for (int k = 0; k <= count; ++k) {
+        const double speed = simulation.body("cube" + std::to_string(k)).velocity_w().x();
+        CHECK(std::abs(speed - common) < 0.05 * common);
+      }
+    }
+  }
+}
+
+TEST_CASE("Thin plates behind a box that is hit do not pass through each other",
+          "[unit][contact_damped]") {
+  for (const double speed : {2.0, 8.0, 20.0}) {
+    for (const double thick : {0.02, 0.1}) {
+      CAPTURE(speed, thick);
+      Scene scene;
+      scene.gravity_w.setZero();
+      for (int k = 0; k <= 5; ++k) {
+        const double size = k < 2 ? 0.3 : thick;
+        const double before =
+            k < 2 ? 0.31 * (k - 1) : 0.16 + 0.5 * thick + (thick + 0.005) * (k - 2);
+        scene.boxes.push_back({.name = "box" + std::to_string(k),
+                               .size = Vec3(size, 0.3, 0.3),
+                               .position_w = Vec3(before, 0.0, 0.0),
+                               .velocity_w = Vec3(k == 0 ? speed : 0.0, 0.0, 0.0)});
+      }
+      Simulation simulation(scene);
+      for (int n = 0; n < 30; ++n) {
+        CHECK(simulation.step().status == StepStatus::done);
+        const World& world = simulation.world();
+        for (std::size_t k = 0; k < 5; ++k) {
+          CAPTURE(n, k);
+          const double gap = separation(box_of(world.bodies()[k], world.states()[k]),
+                                        box_of(world.bodies()[k + 1], world.states()[k + 1]))
+                                 .distance;
+          CHECK(gap > -0.02 * thick);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("Eight elastic cubes on ice with gaps of a millimetre pass a push on one after the other",
           "[exact][contact_damped]") {
   Scene scene;

@@ -327,6 +327,42 @@ TEST_CASE("A slider crosses the seams of flush tiles straight", "[unit][contact_
   }
 }
 
+TEST_CASE("A slider crosses seams with gaps on twenty and more heavy tiles",
+          "[unit][contact_damped]") {
+  // Tiles of an island that is swept are pressed down by up to a ten-thousandth of their edge.
+  struct Tiles {
+    int count;
+    double gap, mass, speed;  // [m], [kg] and [m/s] of the slider
+  };
+  for (const Tiles& t :
+       {Tiles{20, 0.0, 1.0, 2.0}, Tiles{20, 1e-5, 10.0, 3.0}, Tiles{24, 1e-4, 10.0, 3.0},
+        Tiles{24, 1e-5, 2.0, 4.0}, Tiles{24, 1e-4, 20.0, 1.5}, Tiles{2, 1e-4, 300.0, 1.0}}) {
+    CAPTURE(t.count, t.gap, t.mass, t.speed);
+    Scene scene;
+    scene.ground.emplace().friction = 5.0;
+    for (int k = 0; k < t.count; ++k)
+      scene.boxes.push_back({.name = "tile" + std::to_string(k),
+                             .size = Vec3(0.4, 0.3, 0.4),
+                             .mass = 10.0,
+                             .position_w = Vec3(k * (0.4 + t.gap), 0.15, 0.0),
+                             .friction = 0.5});
+    scene.boxes.push_back({.name = "slider",
+                           .size = Vec3(0.3, 0.1, 0.2),
+                           .mass = t.mass,
+                           .position_w = Vec3(0.0, 0.35, 0.05),
+                           .velocity_w = Vec3(t.speed, 0.0, 0.0),
+                           .friction = 0.2});
+    Simulation simulation(scene);
+    CHECK(simulation.run_for(2.0, kFrame) == StepStatus::done);
+    const BodyView slider = simulation.body("slider");
+    const double stops = t.speed * t.speed / (2.0 * std::sqrt(0.1) * 9.81);
+    // It brakes at the end of each step rather than over it.
+    CHECK(std::abs(slider.position_w().x() - stops) < 0.01 * stops + 0.6 * t.speed * kFrame);
+    CHECK(std::abs(slider.position_w().z() - 0.05) < 0.002);
+    CHECK(std::abs(slider.position_w().y() - 0.35) < 1e-4);
+  }
+}
+
 TEST_CASE("A box slides over a seam on a slope that is hardly too steep for its friction",
           "[unit][contact_damped]") {
   constexpr double kAngle = 44.0 / 180.0 * std::numbers::pi, kFriction = 0.95, kTime = 2.0;

@@ -129,8 +129,8 @@ inline constexpr double noisy_normal = 0.05;
 inline constexpr double noisy_restitution = 0.1;
 
 /// [-] Height of an edge below which two bodies pass each other there, as a share of the shortest edge. Reason: flush
-/// neighbours that stand on the ground differ by 1e-9, those that a slider of thirty times their mass has pressed down by 1e-4, and a step
-/// so low is repaired as overlap. (3.2)
+/// neighbours that stand on the ground differ by 1e-9, those that a heavy slider presses down by 1e-4, and a step so low is
+/// repaired as overlap. (3.2)
 inline constexpr double flush_height = 5e-4;
 
 /// [-] How far two bodies are closed to see whether the edge at which they meet has a height, ditto. Reason: ten times
