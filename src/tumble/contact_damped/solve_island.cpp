@@ -262,13 +262,12 @@ FoundBy ContactDamped::run_plan(const Island& island, const IslandPlan& plan,
   return found;
 }
 
-// Impulses that push bodies apart are discarded, and sweeps begin anew. Those that add energy are not taken as they are, nor those
-// with which bodies sink deeply, and what has none flies.
+// Impulses that push bodies apart are discarded, and sweeps begin anew, unless the island is so large that sweeps from nothing would
+// let it sink. Those that add energy are not taken as they are, nor those with which bodies sink deeply, and what has none flies.
 void ContactDamped::accept(const Island& island, const IslandPlan& plan, FoundBy found,
                            StepReport& report) {
   const bool only_swept =
-      plan.method == IslandMethod::sweep ||
-      (plan.method == IslandMethod::sweep_unless_sinking && found == FoundBy::sweeps);
+      plan.method == IslandMethod::sweep_unless_sinking && found == FoundBy::sweeps;
   if (only_swept && !is_small(island) && pushes_apart(island)) {
     discard_impulses(island);
     sweep_at_most(plan.max_sweeps, island, plan, report);
