@@ -355,6 +355,35 @@ TEST_CASE("A split keeps mass, momentum, volume and elastic energy, and the mesh
   CHECK(flattest >= 0.999 * least);
 }
 
+TEST_CASE("A search for cracks that divides edges and parts nothing says that the mesh has changed",
+          "[exact][fracture]") {
+  Random chance(3);
+  int only_divided = 0, wrong = 0;
+  for (int k = 0; k < 200; ++k) {
+    ElasticMesh mesh = elastic_box(Vec3::Ones(), {2, 2, 2}, kRubber);
+    // Elements that an earlier crack has divided, and loads by chance.
+    CrackWork work;
+    const double least = least_height(mesh);
+    crack(mesh, static_cast<int>(chance.below(27)), chance.in_cube(1.0).normalized(), least, work);
+    for (ElasticNode& node : mesh.nodes) node.position_w += chance.in_cube(0.1);
+    // Only the most loaded node cracks.
+    mesh.material.strength = 0.0;
+    TensileStresses stresses(mesh);
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+      mesh.material.strength =
+          std::max(mesh.material.strength,
+                   (1.0 - 1e-9) * separation_at(stresses, static_cast<int>(n)).stress());
+    const std::vector<double> tension(mesh.elements.size(), 1e12);
+    const std::size_t before = mesh.nodes.size();
+    const int cracks = work.cracks;
+    const bool changed = crack_all(mesh, tension, least, work);
+    wrong += changed != (mesh.nodes.size() > before) ? 1 : 0;
+    only_divided += changed && work.cracks == cracks ? 1 : 0;
+  }
+  CHECK(wrong == 0);
+  CHECK(only_divided > 0);
+}
+
 TEST_CASE("A plane through a node in the middle of a bar, again and again, parts the bar there",
           "[exact][fracture]") {
   ElasticMesh mesh = elastic_box(Vec3(1.0, 0.2, 0.2), {5, 1, 1}, kRubber);

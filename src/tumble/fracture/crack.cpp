@@ -250,6 +250,7 @@ bool crack(ElasticMesh& mesh, int node, const Vec3& normal_w, double least, Crac
 }
 
 bool crack_all(ElasticMesh& mesh, std::span<const double> tension, double least, CrackWork& work) {
+  const std::size_t nodes = mesh.nodes.size();
   const double limit = tolerance::crack_tension * mesh.material.strength;
   std::vector<int> looked;
   for (std::size_t k = 0; k < tension.size(); ++k)
@@ -272,15 +273,14 @@ bool crack_all(ElasticMesh& mesh, std::span<const double> tension, double least,
   std::stable_sort(broken.begin(), broken.end(),
                    [](const Broken& a, const Broken& b) { return a.stress > b.stress; });
   std::vector<int> relieved;
-  bool any = false;
   for (const Broken& one : broken) {
     if (std::find(relieved.begin(), relieved.end(), one.node) != relieved.end()) continue;
     for (const int k : mesh.star[idx(one.node)])
       relieved.insert(relieved.end(), mesh.elements[idx(k)].nodes.begin(),
                       mesh.elements[idx(k)].nodes.end());
-    any = crack(mesh, one.node, one.normal_w, least, work) || any;
+    crack(mesh, one.node, one.normal_w, least, work);
   }
-  return any;
+  return mesh.nodes.size() > nodes;  // a plane that parts nothing may have divided edges
 }
 
 }  // namespace tumble

@@ -79,7 +79,7 @@ struct CrackWork {
 /// \param normal_w  [-] of the plane, length 1
 /// \param least     [m] smallest height of an element that a split may leave, at rest
 /// \param work      counts are added
-/// \return false if all elements are on one side: nothing is parted
+/// \return false if all elements are on one side: nothing is parted, though edges may have been divided
 /// \verified{A split keeps mass, momentum, volume and elastic energy, and the mesh conforming}
 bool crack(ElasticMesh& mesh, int node, const Vec3& normal_w, double least, CrackWork& work);
 
@@ -89,7 +89,8 @@ bool crack(ElasticMesh& mesh, int node, const Vec3& normal_w, double least, Crac
 ///                 strength are looked at
 /// \param least    [m] smallest height of an element that a split may leave, at rest
 /// \param work     counts are added
-/// \return whether anything cracked
+/// \return whether the mesh has changed: nodes have been added, also where edges were divided and nothing was parted
+/// \verified{A search for cracks that divides edges and parts nothing says that the mesh has changed}
 bool crack_all(ElasticMesh& mesh, std::span<const double> tension, double least, CrackWork& work);
 
 }  // namespace tumble
