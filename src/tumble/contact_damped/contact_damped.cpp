@@ -58,6 +58,7 @@ StepReport ContactDamped::step(World& world, double dt) {
     load(world, left);
     StepReport done;
     find_patches(world, left, done);
+    storage_.parts = parts_of_step(left, k);
     const double part = length_of_part(world, left, k);
     if (part < left) shorten(left, part, world);
     const double made = step_part(world, part, k, done);
@@ -84,13 +85,18 @@ void ContactDamped::forget_removed_bodies(const World& world) {
   });
 }
 
-// The length of the k-th part of a step of which some time is left.
-double ContactDamped::length_of_part(const World& world, double left, int k) {
+// Into how many parts a step is divided, now that some time is left for its k-th part and those after it.
+int ContactDamped::parts_of_step(double left, int k) const {
   const std::span<const ContactPatch> patches = memory_.manifolds.patches();
-  if (k == 0) storage_.parts = parts_of_motion(patches, velocities_.free, left, options_.parts);
-  if (k >= static_cast<int>(kMostPartsOfTurn)) return left;
-  const int turns = parts_of_turn(farthest_turn(patches, velocities_.start, left));
-  storage_.parts = k + std::max(storage_.parts - k, turns);
+  const int parts =
+      k == 0 ? parts_of_motion(patches, velocities_.free, left, options_.parts) : storage_.parts;
+  if (k >= kMostPartsOfTurn) return parts;
+  return k + std::max(parts - k, parts_of_turn(farthest_turn(patches, velocities_.start, left)));
+}
+
+// The length of the k-th part.
+double ContactDamped::length_of_part(const World& world, double left, int k) const {
+  if (k >= kMostPartsOfTurn) return left;
   const double part = left / (storage_.parts - k);
   if (k >= kMostMeetings) return part;
   return time_to_fast_meeting(world, velocities_.start, storage_.candidates, options_.rotation,

@@ -177,7 +177,8 @@ class ContactDamped : public Technique {
   };
 
   [[nodiscard]] FirstBounce first_bounce(const World& world, double dt);
-  [[nodiscard]] double length_of_part(const World& world, double left, int k);
+  [[nodiscard]] int parts_of_step(double left, int k) const;
+  [[nodiscard]] double length_of_part(const World& world, double left, int k) const;
   void shorten(double dt, double part, const World& world);
   double step_part(World& world, double dt, int k, StepReport& report);
   void solve(World& world, double dt, StepReport& report);

@@ -91,11 +91,12 @@ IslandLimits quiet_limits(const Island& island, int iterations) {
 }
 
 // A large island that moves gets ADMM only.
-IslandLimits large_limits(const Island& island, int iterations) {
+IslandLimits moving_limits(const Island& island, int iterations, double unit_speed) {
   IslandLimits limits;
   limits.residual = tolerance::solved_residual * negligible_residual(island);
   limits.max_iterations = iterations;
   limits.max_newton_steps = 0;
+  limits.early_stop_residual = tolerance::moving_residual * unit_speed;
   return limits;
 }
 
@@ -112,6 +113,20 @@ bool moves(const SpeedRange& speed) {
 
 // Whether much of an island moves.
 bool much_moves(const SpeedRange& speed) { return speed.moving > tolerance::loose_share; }
+
+// What an island is like: each kind has its limits.
+enum class IslandKind {
+  small,   // solved to convergence
+  loose,   // much of it moves, and it has to be swept
+  steady,  // large, and some of it moves
+  quiet    // large, and nothing of it moves
+};
+
+IslandKind kind_of(const Island& island, const SpeedRange& speed, bool swept) {
+  if (swept && much_moves(speed)) return IslandKind::loose;
+  if (is_small(island)) return IslandKind::small;
+  return moves(speed) ? IslandKind::steady : IslandKind::quiet;
+}
 
 // Sweeps within the budget, so many at most.
 int swept_within(const Island& island, const IslandEffort& effort, int most) {
@@ -174,10 +189,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   const double unit_speed = negligible / tolerance::contact_settled;
   const SpeedRange speed = speed_range(island);
   const bool swept = has_to_be_swept(island, speed, effort);
-  const bool loose = swept && much_moves(speed);
-  const bool small = is_small(island) && !loose;
-  const bool steady = !is_small(island) && !loose && moves(speed);
-  const bool quiet = !small && !moves(speed);
+  const IslandKind kind = kind_of(island, speed, swept);
   const bool converging =
       !first.stale_warm_start && first.up < tolerance::sweeps_converging * first.down;
 
@@ -185,49 +197,58 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   // Sweeps do well where they converge, and where the island moves fast or slides. The direct solver is for the
   // others, and for small islands in any case. Where much moves, sweeps have to do, unless bodies sink deeply. Where
   // little of a large island does, sweeps go on as long as they converge.
-  const bool sweeps_first = loose || steady || speed.lower >= tolerance::fast_speed || converging ||
+  const bool sweeps_first = kind == IslandKind::loose || kind == IslandKind::steady ||
+                            speed.lower >= tolerance::fast_speed || converging ||
                             has_sliding_patch(island, unit_speed);
   plan.method = effort.admm_iterations == 0 || (swept && exceeds_budget(island, effort))
                     ? IslandMethod::sweep
-                : loose        ? IslandMethod::sweep_unless_sinking
-                : sweeps_first ? IslandMethod::sweep_then_direct
-                               : IslandMethod::direct_then_sweep;
+                : kind == IslandKind::loose ? IslandMethod::sweep_unless_sinking
+                : sweeps_first              ? IslandMethod::sweep_then_direct
+                                            : IslandMethod::direct_then_sweep;
   // [S6.3.1:plan]
   if (first.nearly_solved) plan.method = IslandMethod::direct_then_sweep;
   plan.discard_warm_start = !sweeps_first && first.up > tolerance::diverged_residual * negligible;
-
-  plan.max_sweeps = small    ? std::max(effort.sweeps, tolerance::small_island_sweeps)
-                    : loose  ? swept_within(island, effort, tolerance::loose_sweeps)
-                    : steady ? swept_within(island, effort, tolerance::steady_sweeps)
-                             : effort.sweeps;
-  plan.while_halving = steady;
-  plan.patch_iterations = loose ? tolerance::fast_patch_iterations : patch_iterations_of(island);
+  plan.patch_iterations = patch_iterations_of(island);
   plan.skipped_residual = skipped_residual_of(island);
-  plan.residual = loose    ? tolerance::loose_residual * unit_speed
-                  : small  ? tolerance::solved_residual_exact * negligible
-                  : steady ? negligible
-                           : tolerance::solved_residual * negligible;
   plan.fair_residual = tolerance::fair_residual * negligible;
   plan.slow_approach = tolerance::slow_approach * unit_speed;
-
-  plan.direct = small   ? small_limits(island, effort.admm_iterations)
-                : quiet ? quiet_limits(island, effort.admm_iterations)
-                        : large_limits(island, effort.admm_iterations);
-  if (moves(speed) && !small)
-    plan.direct.early_stop_residual = tolerance::moving_residual * unit_speed;
+  plan.overlap = normal_exceeds_budget(island, effort) ? std::numeric_limits<double>::infinity()
+                                                       : tolerance::large_island_overlap;
+  switch (kind) {
+    case IslandKind::small:
+      plan.max_sweeps = std::max(effort.sweeps, tolerance::small_island_sweeps);
+      plan.residual = tolerance::solved_residual_exact * negligible;
+      plan.direct = small_limits(island, effort.admm_iterations);
+      plan.sweep_unconverged = moves(speed);
+      plan.overlap = tolerance::small_island_overlap;
+      break;
+    case IslandKind::loose:
+      plan.max_sweeps = swept_within(island, effort, tolerance::loose_sweeps);
+      plan.patch_iterations = tolerance::fast_patch_iterations;
+      plan.residual = tolerance::loose_residual * unit_speed;
+      plan.direct = moving_limits(island, effort.admm_iterations, unit_speed);
+      break;
+    case IslandKind::steady:
+      plan.max_sweeps = swept_within(island, effort, tolerance::steady_sweeps);
+      plan.while_halving = true;
+      plan.residual = negligible;
+      plan.direct = moving_limits(island, effort.admm_iterations, unit_speed);
+      break;
+    case IslandKind::quiet:
+      plan.max_sweeps = effort.sweeps;
+      plan.residual = tolerance::solved_residual * negligible;
+      plan.direct = quiet_limits(island, effort.admm_iterations);
+      plan.sweeps_may_do = effort.admm_iterations > 0 &&
+                           island.levels <= swept_within(island, effort, tolerance::loose_sweeps);
+      break;
+  }
   if (first.nearly_solved) plan.direct.near = tolerance::nearly_solved * negligible;
-  plan.sweeps_may_do = quiet && effort.admm_iterations > 0 &&
-                       island.levels <= swept_within(island, effort, tolerance::loose_sweeps);
-  plan.sweep_unconverged = moves(speed) && small;
   plan.direct.unit_speed = unit_speed;
   plan.direct.max_work = tolerance::max_factor_work;
   plan.normal = plan.direct;
   plan.normal.residual = tolerance::loose_residual * unit_speed;
   plan.normal.max_newton_steps = tolerance::small_newton_steps;
-  plan.overlap = small                                   ? tolerance::small_island_overlap
-                 : normal_exceeds_budget(island, effort) ? std::numeric_limits<double>::infinity()
-                                                         : tolerance::large_island_overlap;
-  if (small) return plan;
+  if (kind == IslandKind::small) return plan;
   for (int* const count :
        {&plan.max_sweeps, &plan.direct.max_iterations, &plan.direct.max_newton_steps})
     *count = (*count + effort.parts - 1) / effort.parts;

@@ -7,6 +7,7 @@
 #include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace tumble {
@@ -61,20 +62,20 @@ bool sweep_accelerated(const Island& island, const IslandPlan& plan, const First
   return residual < plan.fair_residual;
 }
 
-// All patches together. Returns whether the direct solver accepted the island, and how far it got. In a small one that moves a
-// result that has not converged is the start of sweeps, which put friction back into its cone.
-FoundBy solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& solver,
-                       StepReport& report) {
+// All patches together. Returns nothing if the direct solver does not accept the island. In a small one that moves a result that
+// has not converged is the start of sweeps, which put friction back into its cone.
+std::optional<FoundBy> solve_directly(const Island& island, const IslandPlan& plan,
+                                      IslandSolver& solver, StepReport& report) {
   const IslandResult result = solver.solve(island.bodies, island.patch_indices, plan.direct,
                                            island.free, island.all_patches, island.now);
   report.iterations += result.iterations;
   report.pivots += result.factorizations;  // the costliest part of the work, as pivots elsewhere
-  if (result.accepted && !result.converged && plan.sweep_unconverged) {
+  if (!result.accepted) return std::nullopt;
+  if (!result.converged && plan.sweep_unconverged) {
     velocities_from_impulses(island);
     sweep_at_most(tolerance::small_island_sweeps, island, plan, report);
     return FoundBy::direct;
   }
-  if (!result.accepted) return FoundBy::sweeps;
   return result.converged || result.improved ? FoundBy::direct : FoundBy::springs;
 }
 
@@ -85,8 +86,8 @@ FoundBy solve_if_sinking(const Island& island, const IslandPlan& plan, IslandSol
   const double swept = deepest_sinking(island);
   if (swept < tolerance::deep_sinking) return FoundBy::sweeps;
   before.keep(island, in_flight);
-  const FoundBy found = solve_directly(island, plan, solver, report);
-  if (found == FoundBy::sweeps || deepest_sinking(island) < swept) return found;
+  const std::optional<FoundBy> found = solve_directly(island, plan, solver, report);
+  if (found && deepest_sinking(island) < swept) return *found;
   before.restore(island, in_flight);
   return FoundBy::sweeps;
 }
@@ -121,26 +122,6 @@ void hold_friction(const Island& island, double share, std::vector<MovingBody>& 
     friction[six::twist] = patch.twist_impulse *= share;
     apply(friction, patch, held[idx(patch.first)], held[idx(patch.second)]);
   }
-}
-
-// Where bodies still sink deeply, normal impulses are solved for with friction held as it is. If that adds energy, as friction
-// belonged to other pressures, with half of the friction, or none. Returns whether bodies sink less then.
-bool stop_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
-                  KeptSolution& before, std::vector<MovingBody>& held, std::span<char> in_flight,
-                  StepReport& report) {
-  const double overlap = overlap_of_sinking(island);
-  if (!(overlap > plan.overlap)) return false;
-  before.keep(island, in_flight);
-  for (const double share : {1.0, 0.5, 0.0}) {
-    hold_friction(island, share, held);
-    const IslandResult result = solver.solve_normal(
-        island.bodies, island.patch_indices, plan.normal, held, island.all_patches, island.now);
-    report.pivots += result.factorizations;
-    if (!result.accepted) break;
-    if (overlap_of_sinking(island) < overlap && share_without_gain(island) == 1.0) return true;
-  }
-  before.restore(island, in_flight);
-  return false;
 }
 
 // Clears `in_flight` of the bodies that do not fly their parabola. Those fly it that are pushed by nothing, or only by each other:
@@ -178,6 +159,29 @@ void decide_flight(const Island& island, FoundBy found, std::span<char> in_fligh
       more = true;
     }
   }
+}
+
+// Where bodies still sink deeply, normal impulses are solved for with friction held as it is. If that adds energy, as friction
+// belonged to other pressures, with half of the friction, or none. What makes bodies sink no less is undone.
+void stop_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
+                  KeptSolution& before, std::vector<MovingBody>& held, std::span<char> in_flight,
+                  StepReport& report) {
+  const double overlap = overlap_of_sinking(island);
+  if (!(overlap > plan.overlap)) return;
+  before.keep(island, in_flight);
+  for (const double share : {1.0, 0.5, 0.0}) {
+    hold_friction(island, share, held);
+    const IslandResult result = solver.solve_normal(
+        island.bodies, island.patch_indices, plan.normal, held, island.all_patches, island.now);
+    report.pivots += result.factorizations;
+    if (!result.accepted) break;
+    if (overlap_of_sinking(island) < overlap && share_without_gain(island) == 1.0) {
+      for (const int body : island.bodies) in_flight[idx(body)] = 1;
+      decide_flight(island, FoundBy::direct, in_flight);
+      return;
+    }
+  }
+  before.restore(island, in_flight);
 }
 
 }  // namespace
@@ -229,6 +233,9 @@ void ContactDamped::solve_again(const Island& island, StepReport& report) {
 FoundBy ContactDamped::run_plan(const Island& island, const IslandPlan& plan,
                                 const FirstSweeps& first, StepReport& report) {
   // [S6.3.1:methods]
+  const auto directly = [&] {
+    return solve_directly(island, plan, memory_.island_solver, report).value_or(FoundBy::sweeps);
+  };
   FoundBy found = FoundBy::sweeps;
   switch (plan.method) {
     case IslandMethod::settled: break;
@@ -244,17 +251,16 @@ FoundBy ContactDamped::run_plan(const Island& island, const IslandPlan& plan,
       break;
     case IslandMethod::sweep_then_direct:
       // It moves fast, slides, or sweeps converge.
-      if (!sweep_on(island, plan, first, report))
-        found = solve_directly(island, plan, memory_.island_solver, report);
+      if (!sweep_on(island, plan, first, report)) found = directly();
       break;
     case IslandMethod::accelerate_then_direct:
       // It is at rest, and too large to solve at once.
       if (!sweep_accelerated(island, plan, first, storage_.acceleration, report))
-        found = solve_directly(island, plan, memory_.island_solver, report);
+        found = directly();
       break;
     case IslandMethod::direct_then_sweep:
       // Weight has to go through all of it at once.
-      found = solve_directly(island, plan, memory_.island_solver, report);
+      found = directly();
       if (found == FoundBy::sweeps) sweep_on(island, plan, first, report);
       break;
   }
@@ -282,12 +288,9 @@ void ContactDamped::accept(const Island& island, const IslandPlan& plan, FoundBy
       island.all_patches[idx(contact)].solved_directly = found != FoundBy::sweeps;
   decide_flight(island, found, storage_.in_flight);
   limit_energy(island, share, report);
-  if (plan.method != IslandMethod::settled && plan.method != IslandMethod::sweep &&
-      stop_sinking(island, plan, memory_.island_solver, storage_.swept, storage_.held,
-                   storage_.in_flight, report)) {
-    for (const int body : island.bodies) storage_.in_flight[idx(body)] = 1;
-    decide_flight(island, FoundBy::direct, storage_.in_flight);
-  }
+  if (plan.method != IslandMethod::settled && plan.method != IslandMethod::sweep)
+    stop_sinking(island, plan, memory_.island_solver, storage_.swept, storage_.held,
+                 storage_.in_flight, report);
 }
 
 }  // namespace tumble
