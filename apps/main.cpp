@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <limits>
 
@@ -30,6 +29,14 @@ void print_mistake(const CLI::App& app, const CLI::ParseError& error, int argc, 
   std::replace(message.begin(), message.end(), '\n', ' ');
   const std::string help = known ? "tumble " + std::string(first) + " --help" : "tumble --help";
   std::fprintf(stderr, "tumble: %s (more: %s)\n", message.c_str(), help.c_str());
+}
+
+// What changes a scene that is not run.
+void add_scene_settings(CLI::App& command, Request& request) {
+  command.add_option("--set", request.settings, "change a setting: key=value")
+      ->allow_extra_args(false);
+  command.add_option("--seed", request.run.seed, "random seed")
+      ->check(whole(std::numeric_limits<std::uint64_t>::max()));
 }
 
 // The output may not have arrived: the disk behind > can be full.
@@ -112,20 +119,14 @@ int main(int argc, char** argv) {
   stability->add_option("scene", request.scene, "built-in scene or .toml file")->required();
   stability->add_option("--rule", rule, "rule: corners, hull, load_proof or equilibrium")
       ->capture_default_str();
-  stability->add_option("--set", request.settings, "change a setting: key=value")
-      ->allow_extra_args(false);
-  stability->add_option("--seed", request.run.seed, "random seed")
-      ->check(whole(std::numeric_limits<std::uint64_t>::max()));
+  add_scene_settings(*stability, request);
 
   std::string name;
   bool as_toml = false;
   CLI::App* scenes = app.add_subcommand("scenes", "list the built-in scenes, or describe one");
   scenes->add_option("name", name, "scene to describe");
   scenes->add_flag("--toml", as_toml, "print it as a scene file");
-  scenes->add_option("--set", request.settings, "change a setting: key=value")
-      ->allow_extra_args(false);
-  scenes->add_option("--seed", request.run.seed, "random seed")
-      ->check(whole(std::numeric_limits<std::uint64_t>::max()));
+  add_scene_settings(*scenes, request);
   CLI::App* list = app.add_subcommand("techniques", "list the techniques, or describe one");
   list->add_option("name", name, "technique to describe");
   CLI::App* filters = app.add_subcommand("filters", "list the filters for recorded runs");

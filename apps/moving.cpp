@@ -10,13 +10,13 @@
 
 #include "drawing_programs.hpp"
 #include "frames.hpp"
+#include "progress.hpp"
 #include "view_page.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <unistd.h>
 
 namespace tumble::app {
 namespace {
@@ -81,24 +81,6 @@ std::vector<RecordedFrame> frames_of(const RenderRequest& request, const Recorde
   return frames;
 }
 
-// One progress line on a terminal, and nothing elsewhere.
-class FilmLine {
- public:
-  explicit FilmLine(std::size_t frames) : frames_(frames), shown_(isatty(STDERR_FILENO) != 0) {}
-  ~FilmLine() {
-    if (shown_) std::fprintf(stderr, "\r\x1b[K");  // leave the terminal as it was
-  }
-  FilmLine(const FilmLine&) = delete;
-  FilmLine& operator=(const FilmLine&) = delete;
-  void show(int frame) const {
-    if (shown_) std::fprintf(stderr, "\r\x1b[Kframe %d of %zu", frame + 1, frames_);
-  }
-
- private:
-  std::size_t frames_;
-  bool shown_;
-};
-
 int width_of(const RenderRequest& request) {
   const int width = request.width.value_or(request.form == "gif" ? kGifWidth : kVideoWidth);
   require::that(width >= kLeastWidth && width <= kMostWidth && width % 2 == 0,
@@ -120,10 +102,10 @@ void write_film(const RenderRequest& request, const RecordedRun& run,
   const Film film = film_of(shown_frames(run, frames, direction_w), direction_w, width, height,
                             run.scene.ground.has_value());
   const FilmPainter painter(film);
-  const FilmLine line(frames.size());
+  const TerminalLine line;
   const auto paint = [&](int frame) {
     if (stop_signal() != 0) throw CannotWrite("tumble: interrupted");
-    line.show(frame);
+    if (line.shown()) std::fprintf(stderr, "\r\x1b[Kframe %d of %zu", frame + 1, frames.size());
     return painter.painted(frame);
   };
   if (gif) {

@@ -59,6 +59,18 @@ void add_list(CLI::App& command, const std::string& option, const std::string& h
 
 namespace {
 
+// A whole number that has a default.
+void add_count(CLI::App& command, const char* option, int& value, const std::string& help) {
+  command.add_option(option, value, help)
+      ->check(whole(std::numeric_limits<int>::max()))
+      ->capture_default_str();
+}
+
+// Any number that has a default.
+void add_number(CLI::App& command, const char* option, double& value, const std::string& help) {
+  command.add_option(option, value, help)->check(number())->capture_default_str();
+}
+
 // A list of numbers, which replace those that were there.
 void add_numbers(CLI::App& command, const std::string& option, const std::string& help,
                  std::vector<double>& numbers) {
@@ -76,14 +88,10 @@ void add_numbers(CLI::App& command, const std::string& option, const std::string
 void add_recording_options(CLI::App& run, Request& request) {
   run.add_option("--technique", request.technique, "technique (list: tumble techniques)")
       ->check(not_empty());
-  run.add_option("--halvings", request.halvings,
-                 "halve a step up to N times if bodies are fast, overlap or chatter")
-      ->check(whole(std::numeric_limits<int>::max()))
-      ->capture_default_str();
-  run.add_option("--every", request.run.every,
-                 "record every Nth step, in the trajectory and in the tables")
-      ->check(whole(std::numeric_limits<int>::max()))
-      ->capture_default_str();
+  add_count(run, "--halvings", request.halvings,
+            "halve a step up to N times if bodies are fast, overlap or chatter");
+  add_count(run, "--every", request.run.every,
+            "record every Nth step, in the trajectory and in the tables");
   run.add_flag("--contacts", request.contacts, "also write contacts.csv");
   run.add_option("--filter", request.filter,
                  "also write trajectory_filtered.csv, with a filter, for example box:5 "
@@ -98,12 +106,8 @@ void add_motion_option(CLI::App& command, std::optional<int>& motion) {
 void add_run_options(CLI::App& command, Request& request) {
   command.add_option("scene", request.scene, "built-in scene (list: tumble scenes) or .toml file")
       ->required();
-  command.add_option("--dt", request.run.dt, "time step [s]")
-      ->check(number())
-      ->capture_default_str();
-  command.add_option("--duration", request.run.duration, "simulated time [s]")
-      ->check(number())
-      ->capture_default_str();
+  add_number(command, "--dt", request.run.dt, "time step [s]");
+  add_number(command, "--duration", request.run.duration, "simulated time [s]");
   command.add_option("--seed", request.run.seed, "random seed")
       ->check(whole(std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
@@ -120,26 +124,21 @@ void add_run_options(CLI::App& command, Request& request) {
 void add_sample_options(CLI::App& command, Request& request, SampleRequest& sample) {
   command.add_option("--technique", request.technique, "technique (list: tumble techniques)")
       ->check(not_empty());
-  const auto add_count = [&](const char* name, int& value, const char* help) {
-    command.add_option(name, value, help)
-        ->check(whole(std::numeric_limits<int>::max()))
-        ->capture_default_str();
-  };
-  const auto add_number = [&](const char* name, double& value, const char* help) {
-    command.add_option(name, value, help)->check(number())->capture_default_str();
-  };
-  add_count("--samples", sample.samples, "number of motions to find that meet all wishes");
-  add_count("--chains", sample.chains,
+  add_count(command, "--samples", sample.samples, "number of motions to find that meet all wishes");
+  add_count(command, "--chains", sample.chains,
             "number of Markov chains that share the search; 0: four, or fewer for fewer motions");
-  add_count("--cores", sample.cores, "cores to use; 0: all. The result does not depend on it");
-  add_count("--proposals", sample.proposals, "largest number of motions that a chain tries");
-  add_number("--strictness", sample.strictness,
+  add_count(command, "--cores", sample.cores,
+            "cores to use; 0: all. The result does not depend on it");
+  add_count(command, "--proposals", sample.proposals,
+            "largest number of motions that a chain tries");
+  add_number(command, "--strictness", sample.strictness,
              "s in exp(-s V), where V is the violation of all wishes");
-  add_number("--noise-speed", sample.noise.speed,
+  add_number(command, "--noise-speed", sample.noise.speed,
              "slowest impact with noise, as a fraction of sqrt(g L), L the shortest edge");
-  add_number("--noise-normal", sample.noise.normal,
+  add_number(command, "--noise-normal", sample.noise.normal,
              "standard deviation of the rotation of an impulse [rad]");
-  add_number("--noise-restitution", sample.noise.restitution, "half the range of restitution");
+  add_number(command, "--noise-restitution", sample.noise.restitution,
+             "half the range of restitution");
   command.add_flag("--resume", sample.resume, "continue the chains in the folder");
 }
 

@@ -3,8 +3,6 @@
 #include "progress.hpp"
 
 #include <algorithm>
-#include <cstdio>
-#include <unistd.h>
 
 namespace tumble::app {
 namespace {
@@ -18,17 +16,13 @@ double seconds(std::chrono::steady_clock::duration d) {
 ProgressLine::ProgressLine(std::string label, double duration, bool quiet)
     : label_(std::move(label)),
       duration_(duration),
-      shown_(!quiet && isatty(STDERR_FILENO) != 0),
+      line_(quiet),
       begin_(std::chrono::steady_clock::now()),
       last_(begin_) {}
 
-ProgressLine::~ProgressLine() {
-  if (shown_) std::fprintf(stderr, "\r\x1b[K");  // leave the terminal as it was
-}
-
 void ProgressLine::on_step(const World& world, const Technique&, const StepReport& report,
                            const Metrics&) {
-  if (!shown_) return;
+  if (!line_.shown()) return;
   const auto now = std::chrono::steady_clock::now();
   if (seconds(now - last_) < 0.1) return;
   last_ = now;
@@ -40,7 +34,8 @@ void ProgressLine::on_step(const World& world, const Technique&, const StepRepor
 }
 
 void ProgressLine::on_finding(const std::string& message) {
-  std::fprintf(stderr, "%s%s, %s\n", shown_ ? "\r\x1b[K" : "", label_.c_str(), message.c_str());
+  std::fprintf(stderr, "%s%s, %s\n", line_.shown() ? "\r\x1b[K" : "", label_.c_str(),
+               message.c_str());
 }
 
 TimingFile::TimingFile(const std::filesystem::path& folder, int every)

@@ -6,10 +6,31 @@
 #include "tumble/record/table_file.hpp"
 
 #include <chrono>
+#include <cstdio>
+#include <unistd.h>
 
 namespace tumble::app {
 
-/// The progress of a run in one line of a terminal; nothing without a terminal.
+/// A line of a terminal that is written again and again, and gone in the end; nothing without a terminal.
+class TerminalLine {
+ public:
+  /// Writes nothing yet.
+  /// \param quiet  never show it
+  explicit TerminalLine(bool quiet = false) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
+  ~TerminalLine() {
+    if (shown_) std::fprintf(stderr, "\r\x1b[K");  // leave the terminal as it was
+  }
+  TerminalLine(const TerminalLine&) = delete;
+  TerminalLine& operator=(const TerminalLine&) = delete;
+
+  /// Whether anything is to be written.
+  [[nodiscard]] bool shown() const { return shown_; }
+
+ private:
+  bool shown_;
+};
+
+/// The progress of a run in one line of a terminal.
 class ProgressLine : public RunObserver {
  public:
   /// Prepares the line.
@@ -17,7 +38,6 @@ class ProgressLine : public RunObserver {
   /// \param duration  [s] simulated time of the whole run
   /// \param quiet     never show it
   ProgressLine(std::string label, double duration, bool quiet);
-  ~ProgressLine() override;
 
   void on_step(const World& world, const Technique& technique, const StepReport& report,
                const Metrics& metrics) override;
@@ -26,7 +46,7 @@ class ProgressLine : public RunObserver {
  private:
   std::string label_;
   double duration_;
-  bool shown_;
+  TerminalLine line_;
   std::chrono::steady_clock::time_point begin_;
   std::chrono::steady_clock::time_point last_;
 };

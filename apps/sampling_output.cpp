@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <unistd.h>
 
 namespace tumble::app {
 namespace {
@@ -96,19 +95,15 @@ ChainWatch::ChainWatch(OutputFolder& folder, const std::vector<NoiseChain>& chai
       chains_(chains),
       samples_(samples),
       label_(std::move(label)),
-      shown_(!quiet && isatty(STDERR_FILENO) != 0),
+      line_(quiet),
       written_(chains.size(), 0),
       begin_(Clock::now()),
       shown_at_(begin_),
       written_at_(begin_ - kWriteInterval) {}
 
-ChainWatch::~ChainWatch() {
-  if (shown_) std::fprintf(stderr, "\r\x1b[K");  // leave the terminal as it was
-}
-
 void ChainWatch::look() {
   const Clock::time_point now = Clock::now();
-  if (shown_ && now - shown_at_ > kShowInterval) show();
+  if (line_.shown() && now - shown_at_ > kShowInterval) show();
   if (now - written_at_ >= kWriteInterval) write();
 }
 

@@ -5,6 +5,7 @@
 #include "tumble/record/output_folder.hpp"
 #include "tumble/record/sampling.hpp"
 
+#include "progress.hpp"
 #include "request.hpp"
 
 #include <chrono>
@@ -61,9 +62,6 @@ class ChainWatch {
   /// \param quiet    no line
   ChainWatch(OutputFolder& folder, const std::vector<NoiseChain>& chains, int samples,
              std::string label, bool quiet);
-  ~ChainWatch();
-  ChainWatch(const ChainWatch&) = delete;
-  ChainWatch& operator=(const ChainWatch&) = delete;
 
   /// Writes and shows at the intervals above.
   /// \throws CannotWrite if a table cannot be written
@@ -83,7 +81,7 @@ class ChainWatch {
   const std::vector<NoiseChain>& chains_;
   int samples_;
   std::string label_;
-  bool shown_;
+  TerminalLine line_;
   std::vector<std::size_t> written_;  // proposals of each chain on file
   Clock::time_point begin_;
   Clock::time_point shown_at_;

@@ -5,7 +5,6 @@
 /// run longer than a minute; times are the processor's. Claim 6.1e: they are of this machine and decide nothing.
 ///
 /// Run `frame_rate [most cubes along an edge] [technique...]`.
-#include "tumble/base/random.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/scenes/simulation.hpp"
 

@@ -7,7 +7,6 @@
 /// ~ n^p, from the smallest scene on: 1 is linear.
 ///
 /// Run `scale [largest number of bodies]`.
-#include "tumble/base/random.hpp"
 #include "tumble/scenes/library.hpp"
 #include "tumble/scenes/simulation.hpp"
 

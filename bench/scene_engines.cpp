@@ -6,7 +6,6 @@
 #include "tumble/techniques.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace scene_bench {

@@ -1,9 +1,9 @@
 /// \file
 /// \brief Time stepping without events, and on random problems with friction.
 #include "tumble/analytic_lcp/time_stepping.hpp"
-#include "tumble/contact/gather.hpp"
 
 #include "analytic_lcp/painleve_rod.hpp"
+#include "driver/touching.hpp"
 
 namespace tumble::chapters {
 namespace {
@@ -93,10 +93,8 @@ Instant random_bricks(Random& random) {
     instant.world.add(cube, random_motion(random, cube, place_w, turned));
   }
   add_gravity(instant);
-  std::vector<IndexPair> pairs;
-  for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j) pairs.push_back(IndexPair{i, j});
-  gather_contacts(instant.world, instant.bodies, pairs, 1e-3, {}, instant.contacts);
+  gather_contacts(instant.world, instant.bodies, all_pairs(instant.world), 1e-3, {},
+                  instant.contacts);
   return instant;
 }
 

@@ -101,9 +101,7 @@ World after_landing(const Order* order) {
   return world;
 }
 
-double spin_of(const World& world) {
-  return angular_velocity(world.bodies()[1], world.states()[1]).norm();
-}
+double spin_of(const World& world) { return BodyView(world, 1).angular_velocity_w().norm(); }
 
 // Heights of the lower corners, in the order of the four quarters around the vertical.
 std::array<double, 4> corner_heights(World world, double time) {

@@ -156,10 +156,9 @@ Result measure_missed_visible(const Parameters& settings) {
               sum_without(sum.all, -1), sum_without(sum.missed, -1));
   }
 
-  double deepest_missed = 0.0;
-  for (const Run& run : both)
-    for (const Collision& collision : run.collisions)
-      if (collision.missed) deepest_missed = std::max(deepest_missed, collision.depth);
+  const double deepest_missed = largest_of(both, [](const Run& run) {
+    return largest_of(run.collisions, [](const Collision& c) { return c.missed ? c.depth : 0.0; });
+  });
   const Counts visible = count(both, kVisible);
   return {
       {table},

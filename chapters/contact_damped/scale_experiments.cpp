@@ -74,16 +74,13 @@ Motion motion_of(const World& start, double size, double mass, const std::string
 }
 
 double difference(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  double most = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, (a[k] - b[k]).norm());
-  return most;
+  return largest_of(a, b, [](const Vec3& p, const Vec3& q) { return (p - q).norm(); });
 }
 
 double largest_difference(const Motion& a, const Motion& b) {
-  double most = 0.0;
-  for (std::size_t step = 0; step < a.size(); ++step)
-    most = std::max(most, difference(a[step], b[step]));
-  return most;
+  return largest_of(a, b, [](const std::vector<Vec3>& p, const std::vector<Vec3>& q) {
+    return difference(p, q);
+  });
 }
 
 // [m] where a sliding box comes to rest, with steps of 1/60 s over `finer`.
@@ -110,18 +107,16 @@ Motions motions_of(const std::vector<World>& worlds, const std::string& name, do
 
 // From the motion at size 1, over all worlds.
 double largest_difference(const Motions& motions) {
-  double most = 0.0;
-  for (const auto& [small, usual, large] : motions)
-    most = std::max({most, largest_difference(small, usual), largest_difference(large, usual)});
-  return most;
+  return largest_of(motions, [](const auto& of_world) {
+    const auto& [small, usual, large] = of_world;
+    return std::max(largest_difference(small, usual), largest_difference(large, usual));
+  });
 }
 
 // The same for one size in one step.
 double difference(const Motions& motions, std::size_t size, std::size_t step) {
-  double most = 0.0;
-  for (const auto& runs : motions)
-    most = std::max(most, difference(runs[size][step], runs[1][step]));
-  return most;
+  return largest_of(motions,
+                    [&](const auto& runs) { return difference(runs[size][step], runs[1][step]); });
 }
 
 // Mean way along x of the corners of a box at each of the sizes.
@@ -142,12 +137,9 @@ Result measure_size(const Parameters& settings) {
   const Motions own = motions_of(worlds, "contact_damped", duration);
   const Motions thesis = motions_of(worlds, "damped", duration);
   const auto apart = [&](double size, double mass) {
-    double most = 0.0;
-    for (std::size_t w = 0; w < worlds.size(); ++w)
-      most = std::max(
-          most, largest_difference(motion_of(worlds[w], size, mass, "contact_damped", duration),
-                                   own[w][1]));
-    return most;
+    return largest_of(worlds, own, [&](const World& world, const auto& runs) {
+      return largest_difference(motion_of(world, size, mass, "contact_damped", duration), runs[1]);
+    });
   };
 
   Table table{"",

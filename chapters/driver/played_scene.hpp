@@ -9,10 +9,12 @@
 #include "tumble/scenes/simulation.hpp"
 
 #include "driver/csv.hpp"
+#include "driver/statistics.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -45,6 +47,13 @@ inline bool ended_at_cap(const StepReport& report) {
 // Changes several parameters.
 inline void set_all(Parameters& parameters, const std::vector<std::string>& settings) {
   for (const std::string& setting : settings) parameters.assign(setting);
+}
+
+// How far the body has moved that has moved farthest [m].
+inline double farthest_moved(std::span<const BodyState> from, std::span<const BodyState> to) {
+  return largest_of(from, to, [](const BodyState& a, const BodyState& b) {
+    return (b.position_w - a.position_w).norm();
+  });
 }
 
 // A technique and changes of its options.

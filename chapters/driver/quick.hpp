@@ -29,6 +29,15 @@ inline const Quantity& quantity_of(const Result& result, std::string_view name) 
   throw std::invalid_argument("no quantity " + std::string(name));
 }
 
+// A column of a table; empty if it has none of this name.
+inline std::vector<double> column_of(const Table& table, std::string_view name) {
+  std::vector<double> numbers;
+  for (std::size_t k = 0; k < table.columns.size(); ++k)
+    if (table.columns[k].name == name)
+      for (const std::vector<double>& row : table.rows) numbers.push_back(row[k]);
+  return numbers;
+}
+
 // A figure's experiment as --quick runs it, or with other settings: once in a program, however many tests look at it.
 class FigureUnderTest {
  public:

@@ -50,15 +50,18 @@ inline std::string film_beside(const Film& left, const Film& right, double rate)
 // The same for frames, seen by one camera.
 // direction_w: [-] from the boxes to the eye
 // width, height: [px] of each half
+// floor: whether it is drawn
+// rate: [1/s] frames in a second
 inline std::string film_beside(const std::vector<FilmFrame>& left,
                                const std::vector<FilmFrame>& right, const Vec3& direction_w,
-                               int width, int height) {
+                               int width, int height, bool floor = true,
+                               double rate = kThirdSteps) {
   std::vector<PictureBox> all;
   for (const std::vector<FilmFrame>* frames : {&left, &right})
     for (const FilmFrame& frame : *frames)
       all.insert(all.end(), frame.boxes.begin(), frame.boxes.end());
-  const Camera camera = camera_for(all, direction_w, width, height, true);
-  return film_beside(Film{left, camera, true}, Film{right, camera, true}, kThirdSteps);
+  const Camera camera = camera_for(all, direction_w, width, height, floor);
+  return film_beside(Film{left, camera, floor}, Film{right, camera, floor}, rate);
 }
 
 }  // namespace tumble::chapters

@@ -4,7 +4,9 @@
 
 #include "driver/figure.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -48,6 +50,23 @@ std::vector<double> numbers_of(const std::vector<Seed>& seeds, const Number& num
   std::vector<double> values;
   for (const Seed& seed : seeds) values.push_back(static_cast<double>(std::invoke(number, seed)));
   return values;
+}
+
+// The largest of the numbers of some things; 0 if none is above it.
+template <class List, class Number>
+double largest_of(const List& list, const Number& number) {
+  double most = 0.0;
+  for (const auto& one : list) most = std::max(most, static_cast<double>(std::invoke(number, one)));
+  return most;
+}
+
+// The same where a number belongs to two things, one in each of two lists, at the same place.
+template <class First, class Second, class Number>
+double largest_of(const First& first, const Second& second, const Number& number) {
+  double most = 0.0;
+  for (std::size_t k = 0; k < first.size(); ++k)
+    most = std::max(most, static_cast<double>(std::invoke(number, first[k], second[k])));
+  return most;
 }
 
 // Its mean over the seeds.

@@ -125,9 +125,7 @@ inline double widest(const HeldRun& run, const HeldFrame& frame, JointHold hold)
 
 // Largest distance of a corner from its place, over all joints [m], JointGap::apart.
 inline double farthest_apart(const HeldFrame& frame) {
-  double farthest = 0.0;
-  for (const JointGap& gap : frame.gaps) farthest = std::max(farthest, gap.apart);
-  return farthest;
+  return largest_of(frame.gaps, &JointGap::apart);
 }
 
 // A scheme with its names in figures.

@@ -89,9 +89,7 @@ void draw_nested(const std::vector<NestedRun>& nested, const Parameters& setting
 }
 
 double largest_apart(const HeldRun& run, std::size_t joint) {
-  double largest = 0.0;
-  for (const HeldFrame& frame : run.frames) largest = std::max(largest, frame.gaps[joint].apart);
-  return largest;
+  return largest_of(run.frames, [&](const HeldFrame& frame) { return frame.gaps[joint].apart; });
 }
 
 Result measure_nested(const Parameters& settings) {

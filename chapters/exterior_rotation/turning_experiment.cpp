@@ -15,10 +15,8 @@ constexpr std::size_t kSloped = 5;  // of film_schemes(): all but the reference
 
 // [m] In the glue; or, with JointHold::edge, at the edge about which the column turns.
 double largest_in_run(const HeldRun& run, JointHold hold = JointHold::area) {
-  double largest = 0.0;
-  for (const HeldFrame& frame : run.frames)
-    largest = std::max(largest, std::abs(widest(run, frame, hold)));
-  return largest;
+  return largest_of(run.frames,
+                    [&](const HeldFrame& frame) { return std::abs(widest(run, frame, hold)); });
 }
 
 // How many of the claim's two statements hold, given the gap of the column that turns and that of the

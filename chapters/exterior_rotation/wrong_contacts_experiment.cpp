@@ -215,16 +215,11 @@ std::string film_of_contacts(const Question& question, double tolerance,
                              const Reference& reference) {
   const Vec3 direction_w(0.12, 0.12, 1.0);  // from the side on which the column falls
   constexpr int size = 240;                 // [px]
-  const std::vector<FilmFrame> left =
-      frames_of(contact_schemes()[kSemiImplicit], question, tolerance, reference);
-  const std::vector<FilmFrame> right =
-      frames_of(contact_schemes()[kExponential], question, tolerance, reference);
-  std::vector<PictureBox> all;
-  for (const std::vector<FilmFrame>* frames : {&left, &right})
-    for (const FilmFrame& frame : *frames)
-      all.insert(all.end(), frame.boxes.begin(), frame.boxes.end());
-  const Camera camera = camera_for(all, direction_w, size, size, false);
-  return film_beside(Film{left, camera, false}, Film{right, camera, false}, 0.25 / question.dt);
+  const auto frames = [&](std::size_t scheme) {
+    return frames_of(contact_schemes()[scheme], question, tolerance, reference);
+  };
+  return film_beside(frames(kSemiImplicit), frames(kExponential), direction_w, size, size, false,
+                     0.25 / question.dt);
 }
 
 Result measure_wrong_contacts(const Parameters& settings) {

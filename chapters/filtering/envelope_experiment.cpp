@@ -78,18 +78,10 @@ struct Watched {
       shown.steps += steps;
       shown.still += still;
     }
-    const std::vector<double> deepest = overlaps_in(frames);
-    for (std::size_t k = 0; k < deepest.size(); ++k)
-      shown.overlap = std::max(shown.overlap, deepest[k] - overlap[k]);
+    shown.overlap = largest_of(overlaps_in(frames), overlap, std::minus<>());
     return shown;
   }
 };
-
-double largest_of(const std::vector<Shown>& seeds, double Shown::*what) {
-  double largest = 0.0;
-  for (const Shown& shown : seeds) largest = std::max(largest, shown.*what);
-  return largest;
-}
 
 // The numbers of one filter and envelope.
 struct Numbers {

@@ -81,9 +81,8 @@ Break elements_break(int cells) {
   for (const std::size_t n : loaded)
     mesh.nodes[n].load_w.y() = -beam_load(material.strength) / static_cast<double>(loaded.size());
   const std::vector<Vec3> q = bent(mesh);
-  double most = 0.0;
-  for (const Vec3& one : q) most = std::max(most, one.norm());
-  const double scale = kSmallStrain * kPlank.x() / most;
+  const double scale =
+      kSmallStrain * kPlank.x() / largest_of(q, [](const Vec3& one) { return one.norm(); });
   for (std::size_t n = 0; n < q.size(); ++n)
     mesh.nodes[n].position_w = mesh.nodes[n].rest + scale * q[n];
   Break found;

@@ -155,8 +155,7 @@ inline BalanceWork work_of(const RestingPile& structure) {
   std::vector<Wrench> wrenches(moving.size());
   problem.add_wrenches(result.f, wrenches);
   accelerate(moving, wrenches, accelerations);
-  for (const Acceleration& a : accelerations)
-    work.fastest = std::max(work.fastest, a.linear_w.norm());
+  work.fastest = largest_of(accelerations, [](const Acceleration& a) { return a.linear_w.norm(); });
   work.pivots = result.pivots;
   work.multiplications = result.multiplications;
   return work;
@@ -171,9 +170,7 @@ inline bool stays(const RestingPile& scene, std::string_view technique,
   World world = scene.world;
   while (world.time() < seconds - 0.5 * kStep) {
     finished(runs->step(world, kStep));
-    for (std::size_t b = 0; b < world.states().size(); ++b)
-      if ((world.states()[b].position_w - scene.world.states()[b].position_w).norm() > moved)
-        return false;
+    if (farthest_moved(scene.world.states(), world.states()) > moved) return false;
   }
   return true;
 }

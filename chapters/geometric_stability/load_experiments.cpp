@@ -100,10 +100,7 @@ Result measure_any_load(const Parameters& settings) {
     return static_cast<double>(std::ranges::count_if(boxes, chosen));
   };
   const auto worst = [&](const Choice& chosen, double LoadedBox::*ratio) {
-    double most = 0.0;
-    for (const LoadedBox& box : boxes)
-      if (chosen(box)) most = std::max(most, box.*ratio);
-    return most;
+    return largest_of(boxes, [&](const LoadedBox& box) { return chosen(box) ? box.*ratio : 0.0; });
   };
   const auto share_moving = [&](const std::string& name, const Choice& chosen) {
     const Choice both = [&](const LoadedBox& box) { return chosen(box) && box.moves(); };

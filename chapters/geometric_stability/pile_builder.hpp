@@ -3,12 +3,12 @@
 #pragma once
 
 #include "tumble/contact/contact.hpp"
-#include "tumble/contact/gather.hpp"
 #include "tumble/geometric_stability/support_polygon.hpp"
 #include "tumble/geometric_stability/upright.hpp"
 #include "tumble/geometry/separation.hpp"
 
 #include "driver/experiment.hpp"
+#include "driver/touching.hpp"
 
 namespace tumble::chapters {
 
@@ -65,14 +65,7 @@ inline BodyState raised(BodyState state, double height) {
 // Everything that touches.
 // margin: [m] surfaces up to this far apart touch
 inline ContactList touching(const World& world, double margin = 1e-9) {
-  std::vector<MovingBody> moving;
-  load_moving_bodies(world, moving);
-  std::vector<IndexPair> pairs;
-  for (int a = 0; a < world.count(); ++a)
-    for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
-  ContactList contacts;
-  gather_contacts(world, moving, pairs, margin, {}, contacts);
-  return contacts;
+  return contacts_within(world, margin);
 }
 
 // Puts boxes on boxes so that they touch to rounding, and keeps clear of near misses.

@@ -124,10 +124,9 @@ Vec2 middle_of_trial(const Trial& trial) {
 
 // Reach of a body from the middle of the trial's body, along x or z.
 double reach_of(const Trial& trial, int body) {
-  double most = 0.0;
-  for (const Vec2& corner : outline_of(trial, body))
-    most = std::max(most, (corner - middle_of_trial(trial)).cwiseAbs().maxCoeff());
-  return most;
+  return largest_of(outline_of(trial, body), [&](const Vec2& corner) {
+    return (corner - middle_of_trial(trial)).cwiseAbs().maxCoeff();
+  });
 }
 
 // All that a view shows.

@@ -42,12 +42,10 @@ double acceleration(const RestingPile& pile, int body, double load = 0.0,
   PileForces forces;
   if (!forces.solve(pile.world, pile.contacts, loads))
     throw std::runtime_error("the contact forces were not found");
-  double most = 0.0;
-  for (const Vec3& corner_w : corners_of(box_at(pile.world, body)))
-    most = std::max(
-        most, acceleration_at(pile.bodies[idx(body)], forces.accelerations()[idx(body)], corner_w)
-                  .norm());
-  return most;
+  return largest_of(corners_of(box_at(pile.world, body)), [&](const Vec3& corner_w) {
+    return acceleration_at(pile.bodies[idx(body)], forces.accelerations()[idx(body)], corner_w)
+        .norm();
+  });
 }
 
 double area_of(std::span<const Vec2> loop) {

@@ -59,9 +59,7 @@ Table edge_table(int most) {
 }
 
 double largest(const Table& table, std::size_t column) {
-  double most = 0.0;
-  for (const auto& row : table.rows) most = std::max(most, row[column]);
-  return most;
+  return largest_of(table.rows, [&](const std::vector<double>& row) { return row[column]; });
 }
 
 Result measure_thresholds(const Parameters& settings) {

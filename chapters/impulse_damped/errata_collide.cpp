@@ -21,7 +21,7 @@ Rested rest(const DampedErrata& repaired, bool stable_boxes) {
     finished(technique.step(world, kStep));
     rested.hop = std::max(rested.hop, world.states()[1].position_w.y() - 0.5);
   }
-  rested.speed = velocity_of(world, 1).norm();
+  rested.speed = BodyView(world, 1).velocity_w().norm();
   return rested;
 }
 
@@ -34,7 +34,7 @@ double bounce_on_stable(const DampedErrata& repaired) {
   const int upper = add_box(world, Vec3::Ones(), Vec3(0.0, 1.5, 0.0), Vec3(0.0, -2.0, 0.0), 0.9);
   world.gravity_w = Vec3::Zero();
   finished(technique.step(world, kStep));
-  return velocity_of(world, upper).y();
+  return BodyView(world, upper).velocity_w().y();
 }
 
 // C5. A column stands on the ground and is stable; a cube flies against its upper end. Returns by
@@ -58,7 +58,7 @@ double separation_speed(const DampedErrata& repaired) {
   add_box(world, Vec3::Ones(), Vec3::Zero(), Vec3(-0.5, 0.0, 0.0));
   add_box(world, Vec3::Ones(), Vec3(0.9, 0.0, 0.0), Vec3(0.5, 0.0, 0.0));
   world = stepped(world, DampedAsPrinted(undamped(repaired)));
-  return velocity_of(world, 1).x() - velocity_of(world, 0).x();
+  return BodyView(world, 1).velocity_w().x() - BodyView(world, 0).velocity_w().x();
 }
 
 // The ground and a cube as COLLIDE sees them, out of a world that holds just these.
@@ -127,7 +127,7 @@ double sliding_left(int index_base) {
   DampedAsPrintedOptions options = undamped(misprints());
   options.index_base = index_base;
   const World world = stepped(cube_on_ground(Vec3::UnitX()), DampedAsPrinted(options), 30);
-  return velocity_of(world, 1).x();
+  return BodyView(world, 1).velocity_w().x();
 }
 
 // C11. A brick counts as stable and turns; lines 13 and 14 leave its angular momentum about the

@@ -74,8 +74,8 @@ double fallen_to(const DampedErrata& repaired) {
 
 // D6. How fast a cube is that has lain on the ground for a second.
 double speed_at_rest(const DampedErrata& repaired) {
-  return velocity_of(stepped(cube_on_ground(), DampedAsPrinted(undamped(repaired, false)), kSecond),
-                     1)
+  return BodyView(stepped(cube_on_ground(), DampedAsPrinted(undamped(repaired, false)), kSecond), 1)
+      .velocity_w()
       .norm();
 }
 
@@ -106,7 +106,9 @@ double resting_speed(int steps, int loop_base, bool elastic) {
   DampedAsPrintedOptions options = contacts_alone(misprints());
   options.loop_base = loop_base;
   options.elastic_contacts = elastic;
-  return velocity_of(stepped(stack_of(1, 0.0), DampedAsPrinted(options), steps), 1).norm();
+  return BodyView(stepped(stack_of(1, 0.0), DampedAsPrinted(options), steps), 1)
+      .velocity_w()
+      .norm();
 }
 
 // RK4. Root mean square speed of a stack of five with restitution 0.9, after it has had as long to
@@ -118,7 +120,7 @@ double unrest(Technique&& technique, double seconds) {
   double sum = 0.0;
   for (int step = 0; step < steps; ++step) {
     finished(technique.step(world, kStep));
-    for (int k = 1; k <= 5; ++k) sum += velocity_of(world, k).squaredNorm();
+    for (int k = 1; k <= 5; ++k) sum += BodyView(world, k).velocity_w().squaredNorm();
   }
   return std::sqrt(sum / (5.0 * steps));
 }
@@ -135,7 +137,7 @@ Damped shock_propagation() {
 World after_impact(World world) {
   std::vector<MovingBody> moving;
   load_moving_bodies(world, moving);
-  ContactList contacts = contacts_of(world, 1e-9);
+  ContactList contacts = contacts_within(world, 1e-9);
   if (ImpactSolver().resolve(contacts, moving, {.order = ImpactOrder::simultaneous}).status !=
       ImpactStatus::done)
     throw std::runtime_error("an impact without an answer");
@@ -165,7 +167,7 @@ double hit_from_afar(const DampedErrata& repaired) {
   add_box(world, Vec3(1.0, 1.0, 3.0), Vec3::Zero(), Vec3(-1.0, 0.0, 0.0));
   add_box(world, Vec3(1.0, 1.0, 0.8), Vec3(-1.0, 0.0, 0.0));
   const int far_one = add_box(world, Vec3(1.0, 1.0, 0.8), Vec3(-1.012, 0.0, 1.0));
-  return velocity_of(after_step(world, repaired), far_one).norm();
+  return BodyView(after_step(world, repaired), far_one).velocity_w().norm();
 }
 
 // RC3. Two cubes run into one between them from both sides, with 1 m/s and restitution 0.9.
@@ -228,16 +230,16 @@ void add_pass_errata(double seconds, Result& result) {
              unrest(shock_propagation(), seconds));
   const World column = cube_on_cube();
   result.add("RC1: rebound from a cube on the ground, restitution at each pass", "m/s",
-             velocity_of(after_step(column, mended), 2).y());
+             BodyView(after_step(column, mended), 2).velocity_w().y());
   result.add("RC1: rebound from a cube on the ground, restitution once", "m/s",
-             velocity_of(after_impact(column), 2).y());
+             BodyView(after_impact(column), 2).velocity_w().y());
   compare(result, "RC2: speed of a cube out of reach, ", "m/s", "pairs of the pass",
           "pairs looked at again", mended.with("RC2"), hit_from_afar);
   const World row = squeezed_cube();
   result.add("RC3: speed of a cube hit from both sides, one pair after the other", "m/s",
-             velocity_of(after_step(row, mended), 1).norm());
+             BodyView(after_step(row, mended), 1).velocity_w().norm());
   result.add("RC3: speed of a cube hit from both sides, both at once", "m/s",
-             velocity_of(after_impact(row), 1).norm());
+             BodyView(after_impact(row), 1).velocity_w().norm());
   compare(result, "RC4: angle turned in 0.5 s at 1 rad/s, ", "rad", "positions put back",
           "poses put back", mended, turned);
 }

@@ -137,7 +137,7 @@ std::vector<double> fall_beside_wall(bool any_contact, int steps) {
   std::vector<double> fallen = {0.0};
   for (int step = 0; step < steps; ++step) {
     add_gravity(world);
-    const ContactList contacts = contacts_of(world, 0.0);
+    const ContactList contacts = contacts_within(world, 0.0);
     const bool holds =
         !contacts.empty() && (any_contact || contacts[0].normal_w.y() > std::sqrt(0.5));
     dampen(world, holds, numbers);

@@ -5,6 +5,7 @@
 #include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
 #include "tumble/impulse_damped/as_printed/fix_contact_constraints_as_printed.hpp"
 #include "tumble/impulse_damped/damped.hpp"
+#include "tumble/record/overlap.hpp"
 
 #include "impulse_damped/errata_setup.hpp"
 
@@ -15,7 +16,7 @@ constexpr double kPush = 1e-3;          // [m] ε1
 constexpr std::int64_t kMany = 100000;  // [-] pushes that a loop which ends does not need
 
 PrintedFixReport fix(World& world, std::int64_t cap, const DampedErrata& mended) {
-  return fix_contact_constraints_as_printed(world, contacts_of(world, 0.0), kPush, cap, mended);
+  return fix_contact_constraints_as_printed(world, contacts_within(world, 0.0), kPush, cap, mended);
 }
 
 // Our repair, for what the author meant and does not work out.
@@ -27,24 +28,14 @@ double gap(const World& world, std::size_t first, std::size_t second) {
       .distance;
 }
 
-// [m] of all pairs of which one can be moved, 0 if none overlaps
-double deepest_overlap(const World& world) {
-  double deepest = 0.0;
-  for (std::size_t i = 0; i < world.bodies().size(); ++i)
-    for (std::size_t j = i + 1; j < world.bodies().size(); ++j)
-      if (world.bodies()[i].movable() || world.bodies()[j].movable())
-        deepest = std::max(deepest, -gap(world, i, j));
-  return deepest;
-}
-
 // The overlap that is left in a world after the listing, and after our repair.
 void add_overlap_left(World world, const std::string& what, const std::string& printed,
                       const std::string& cured, Result& result) {
   World mended = world;
   fix(world, kMany, DampedErrata::all());
   repair(mended);
-  result.add(what + printed, "m", deepest_overlap(world));
-  result.add(what + cured, "m", deepest_overlap(mended));
+  result.add(what + printed, "m", OverlapMeter().look(world));
+  result.add(what + cured, "m", OverlapMeter().look(mended));
 }
 
 void add_cube(World& world, const Vec3& place_w) { world.add(unit_cube(), place_w); }
@@ -56,7 +47,7 @@ double endless_pushes(std::int64_t cap, const DampedErrata& mended) {
   world.add_ground();
   add_cube(world, Vec3(0.0, -0.0995, 0.0));
   // One point of the four is enough: the others would do the same.
-  ContactList contacts = contacts_of(world, 0.0);
+  ContactList contacts = contacts_within(world, 0.0);
   contacts[0].count = 1;
   return static_cast<double>(
       fix_contact_constraints_as_printed(world, contacts, kPush, cap, mended).pushes);

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "tumble/contact/contact.hpp"
-#include "tumble/contact/gather.hpp"
 #include "tumble/impulse_damped/as_printed/damped_as_printed.hpp"
 #include "tumble/impulse_damped/as_printed/dampen_objects_as_printed.hpp"
 
 #include "driver/experiment.hpp"
+#include "driver/touching.hpp"
 
 namespace tumble::chapters {
 
@@ -81,34 +81,11 @@ inline void add_fixed_box(World& world, const Vec3& size, const Vec3& position_w
   return world;
 }
 
-// The velocity of a body [m/s].
-[[nodiscard]] inline Vec3 velocity_of(const World& world, int index) {
-  return velocity(world.bodies()[idx(index)], world.states()[idx(index)]);
-}
-
 // A world after some steps.
 [[nodiscard]] inline World stepped(World world, Technique&& technique, int steps = 1,
                                    double dt = kStep) {
   for (int step = 0; step < steps; ++step) finished(technique.step(world, dt));
   return world;
-}
-
-// All pairs of bodies.
-[[nodiscard]] inline std::vector<IndexPair> all_pairs(const World& world) {
-  std::vector<IndexPair> pairs;
-  for (int i = 0; i < world.count(); ++i)
-    for (int j = i + 1; j < world.count(); ++j) pairs.push_back({i, j});
-  return pairs;
-}
-
-// Contacts of all pairs.
-// margin: [m] up to which distance two of them touch
-[[nodiscard]] inline ContactList contacts_of(const World& world, double margin) {
-  std::vector<MovingBody> moving;
-  load_moving_bodies(world, moving);
-  ContactList contacts;
-  gather_contacts(world, moving, all_pairs(world), margin, {}, contacts);
-  return contacts;
 }
 
 // A rotation about the z axis.

@@ -28,7 +28,7 @@ void add_turned_box(World& world, const Vec3& size, const Vec3& place_w,
 
 void find_contacts(StabilityScene& scene) {
   constexpr double margin = 1e-9;  // [m]
-  scene.contacts = contacts_of(scene.world, margin);
+  scene.contacts = contacts_within(scene.world, margin);
   scene.bodies.resize(scene.world.states().size());
 }
 

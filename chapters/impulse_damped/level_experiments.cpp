@@ -14,13 +14,6 @@ struct Moved {
       {};  // [rad/s] largest of each row after the first step, from the ground up
 };
 
-double farthest(const World& world, const std::vector<BodyState>& start) {
-  double most = 0.0;
-  for (std::size_t k = 0; k < start.size(); ++k)
-    most = std::max(most, (world.states()[k].position_w - start[k].position_w).norm());
-  return 1e3 * most;
-}
-
 void take_spins(const World& world, const std::vector<BodyState>& start,
                 std::vector<double>& spins) {
   for (std::size_t k = 0; k < start.size(); ++k) {
@@ -44,9 +37,9 @@ Moved moved_of(const Scene& scene, const std::vector<std::string>& options, doub
     out.added += std::max(0.0, now - before);
     before = now;
     if (++steps == 1) take_spins(played.world(), start, out.spins);
-    if (steps % 6 == 0) out.drifts.push_back(farthest(played.world(), start));
+    if (steps % 6 == 0) out.drifts.push_back(1e3 * farthest_moved(start, played.world().states()));
   });
-  out.drift = farthest(played.world(), start);
+  out.drift = 1e3 * farthest_moved(start, played.world().states());
   return out;
 }
 

@@ -32,14 +32,6 @@ Scene shot_scene(const Parameters& settings) {
   return make_scene("fig6_6", scene);
 }
 
-// The largest distance that a box is from where it was.
-double farthest_moved(const World& world, const std::vector<BodyState>& from) {
-  double moved = 0.0;
-  for (std::size_t k = 0; k < from.size(); ++k)
-    moved = std::max(moved, (world.states()[k].position_w - from[k].position_w).norm());
-  return moved;
-}
-
 // Boxes that are lower than at the start by more than half an edge.
 double fallen(const PlayedScene& played) {
   double count = 0.0;
@@ -60,12 +52,12 @@ Result measure_projectile(const Parameters& settings) {
   // Its boxes are built to touch exactly, and settle a little in the beginning.
   const std::vector<BodyState> built = poses();
   played.advance(0.5);
-  const double settles = farthest_moved(played.world(), built);
+  const double settles = farthest_moved(built, played.world().states());
   const std::vector<BodyState> stands = poses();
   Film film;
   const auto watch = [&](const StepReport&) { take(played, appears, film.frames); };
   played.advance(appears - 2.0 * kStep, watch);
-  const double moves = farthest_moved(played.world(), stands);
+  const double moves = farthest_moved(stands, played.world().states());
 
   Table table{"", {{"time_s", "s", "since the shot"}}};
   std::vector<std::vector<PictureBox>> frames;

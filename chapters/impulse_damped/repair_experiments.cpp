@@ -82,10 +82,7 @@ Second watch(World world, Pass pass, const DampedOptions& options) {
 
 // Largest kinetic energy that the run without the pass does not have [J].
 double appeared(const Second& with, const Second& without) {
-  double most = 0.0;
-  for (std::size_t k = 0; k < with.kinetic.size(); ++k)
-    most = std::max(most, with.kinetic[k] - without.kinetic[k]);
-  return most;
+  return largest_of(with.kinetic, without.kinetic, std::minus<>());
 }
 
 // Over stacks: what appears and what was added.

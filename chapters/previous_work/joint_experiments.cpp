@@ -12,10 +12,9 @@ const PlayedTechnique kCollide{"glued", {"contacts=collide"}};
 
 // [m] the largest distance of the two sides of a joint, at its corners.
 double largest_gap(const World& world) {
-  double most = 0.0;
-  for (const BodyJoint& joint : world.joints())
-    most = std::max(most, gap_of(joint_of(world, joint), world.states()).apart);
-  return most;
+  return largest_of(world.joints(), [&](const BodyJoint& joint) {
+    return gap_of(joint_of(world, joint), world.states()).apart;
+  });
 }
 
 // Bricks that have left their places by more than half their height.

@@ -40,13 +40,11 @@ Outcome outcome(std::size_t scene, double stiffness, double rate, double duratio
     finished(technique.step(world, 1.0 / rate));
     if (!(energy_of(world).total() <= most)) return Outcome::gains;  // true for NaN
   }
-  double away = 0.0, speed = 0.0;
-  for (std::size_t k = 0; k < world.states().size(); ++k) {
-    away = std::max(away, (world.states()[k].position_w - start.states()[k].position_w).norm());
-    speed = std::max(speed, velocity(world.bodies()[k], world.states()[k]).norm());
-  }
-  if (!(away <= kAway)) return Outcome::sinks;
-  return speed <= kRestless ? Outcome::right : Outcome::restless;
+  if (!(farthest_moved(start.states(), world.states()) <= kAway)) return Outcome::sinks;
+  const double fastest =
+      largest_of(world.bodies(), world.states(),
+                 [](const BodyProperties& b, const BodyState& s) { return velocity(b, s).norm(); });
+  return fastest <= kRestless ? Outcome::right : Outcome::restless;
 }
 
 Result measure_map(const Parameters& settings) {

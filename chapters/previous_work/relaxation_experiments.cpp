@@ -33,8 +33,7 @@ Fall box_falls(int passes) {
   Fall fall;
   for (int k = 0; k < kFallSteps; ++k) {
     const StepReport report = run.step();
-    fall.add(velocity(run.world().bodies()[1], run.world().states()[1]).norm(),
-             report.impulses > 0);
+    fall.add(BodyView(run.world(), 1).velocity_w().norm(), report.impulses > 0);
   }
   return fall;
 }

@@ -15,13 +15,6 @@ Scene small_clump(int seed) {
   return make_scene("clump", {"per_edge=2"}, static_cast<std::uint64_t>(seed));
 }
 
-double farthest_move(std::span<const BodyState> from, std::span<const BodyState> to) {
-  double farthest = 0.0;
-  for (std::size_t k = 0; k < to.size(); ++k)
-    farthest = std::max(farthest, (to[k].position_w - from[k].position_w).norm());
-  return farthest;
-}
-
 // A clump on its way down.
 struct Settled {
   bool rests = false;
@@ -41,7 +34,7 @@ Settled settle(int seed) {
     settled.energies.push_back(energy_of(run.world()).total());
     // What has not met anything yet falls by its reach, so it does not count as still.
     settled.rests =
-        farthest_move(before, run.world().states()) <= kStill && report.deepest_overlap <= kDeep;
+        farthest_moved(before, run.world().states()) <= kStill && report.deepest_overlap <= kDeep;
   }
   settled.energy = energy_of(run.world()).total();
   Vec3 push_w = Vec3::Zero();

@@ -118,9 +118,7 @@ void add_order_errata(ErrataBench& bench) {
   const PrintedRun in_turn = run_printed(options, squeezed);
   options.repaired = options.repaired.with("T9");
   const PrintedRun together = run_printed(options, squeezed);
-  const auto middle = [](const PrintedRun& run) {
-    return velocity(run.world.bodies()[1], run.world.states()[1]).x();
-  };
+  const auto middle = [](const PrintedRun& run) { return BodyView(run.world, 1).velocity_w().x(); };
   bench.add(9, "T9: speed of a cube hit from both sides alike", "m/s",
             {"one after the other", middle(in_turn)}, {"at one stroke", middle(together)});
   bench.show(9, in_turn, together);

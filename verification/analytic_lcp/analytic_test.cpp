@@ -39,15 +39,6 @@ Course run(Technique& technique, World& world, double duration, double dt = kFra
   return course;
 }
 
-// [m] the farthest that a box of a tower has got.
-double drift_of_tower(const World& world) {
-  double drift = 0.0;
-  for (int k = 0; k + 1 < world.count(); ++k)
-    drift =
-        std::max(drift, (world.states()[idx(k + 1)].position_w - Vec3(0.0, 0.5 + k, 0.0)).norm());
-  return drift;
-}
-
 // A block 2b x 2h x 1 tilted about its right lower edge, which is at the origin.
 World rocking(double width, double height, double tilt) {
   World world = ground_world(100.0);
@@ -102,7 +93,7 @@ void check_tower(double seconds, double drift, double overlap, double unbooked) 
   World world = stack_of(10);
   Analytic analytic(posed<AnalyticOptions>());
   const Course course = run(analytic, world, seconds);
-  CHECK(drift_of_tower(world) < drift);
+  CHECK(distance_of(world, stack_of(10)) < drift);
   CHECK(course.total.deepest_overlap < overlap);
   CHECK(course.unbooked < unbooked);
   CHECK(course.total.events == 0);
@@ -245,8 +236,7 @@ TEST_CASE(
   const LcpProblem& problem = *analytic.unsolved_problem();
   CHECK(problem.size() == 40);
   // Wrong forces have moved nothing.
-  for (int k = 0; k < 10; ++k)
-    CHECK((world.states()[idx(k + 1)].position_w - Vec3(0.0, 0.5 + k, 0.0)).norm() < 1e-12);
+  CHECK(distance_of(world, stack_of(10)) < 1e-12);
 
   LcpProblem read{.A = parse_matrix_market(to_matrix_market(problem.A), "A"),
                   .b = parse_matrix_market(to_matrix_market(problem.b), "b").col(0)};

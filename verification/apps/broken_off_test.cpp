@@ -23,7 +23,7 @@ TEST_CASE("A run that is asked to stop says so and leaves whole lines", "[unit][
               " run cage --duration 100000 --contacts --out " + folder.text());
     INFO(outcome.text);
     CHECK(outcome.code == c.code);
-    CHECK(outcome.text.find("interrupted at") != std::string::npos);
+    CHECK_THAT(outcome.text, Contains("interrupted at"));
     for (const char* name : kTables) {
       INFO(name);
       CHECK(whole_lines(folder.path / name));
@@ -37,10 +37,8 @@ TEST_CASE("A run that is asked to stop says so and leaves whole lines", "[unit][
 TEST_CASE("A comparison that is asked to stop says so", "[unit][command]") {
   const Folder folder("stopped_compare");
   const Outcome outcome =
-      shell(std::string("timeout --preserve-status -s INT 0.3 ") + TUMBLE_COMMAND +
-            " compare cage --duration 100000 --out " + folder.text());
-  INFO(outcome.text);
-  CHECK(outcome.code == 130);
+      shell_ends(130, std::string("timeout --preserve-status -s INT 0.3 ") + TUMBLE_COMMAND +
+                          " compare cage --duration 100000 --out " + folder.text());
   CHECK(content(folder.path / "compare.csv").find("contact_damped,interrupted") !=
         std::string::npos);
   CHECK(whole_lines(folder.path / "series.csv"));
@@ -48,15 +46,13 @@ TEST_CASE("A comparison that is asked to stop says so", "[unit][command]") {
 
 TEST_CASE("What cannot be written ends with exit code 4", "[unit][command]") {
   for (const char* place : {"/proc/tumble", "/dev/null/tumble"}) {
-    const Outcome outcome = run_tumble(std::string("run bouncing_box --out ") + place);
-    INFO(outcome.text);
-    CHECK(outcome.code == 4);
-    CHECK(outcome.text.find(std::string("cannot make the folder ") + place) != std::string::npos);
+    const Outcome outcome = tumble_ends(4, std::string("run bouncing_box --out ") + place);
+    CHECK_THAT(outcome.text, Contains(std::string("cannot make the folder ") + place));
   }
   if (!fs::exists("/dev/full")) return;
   const Outcome listing = run_tumble("scenes > /dev/full");
   CHECK(listing.code == 4);
-  CHECK(listing.text.find("cannot write to the standard output") != std::string::npos);
+  CHECK_THAT(listing.text, Contains("cannot write to the standard output"));
 }
 
 TEST_CASE("A disk that fills up during a run ends it with exit code 4 and whole lines",
@@ -68,8 +64,8 @@ TEST_CASE("A disk that fills up during a run ends it with exit code 4 and whole 
             " run cage --duration 100 --contacts --quiet --out " + folder.text());
   INFO(outcome.text);
   CHECK(outcome.code == 4);
-  CHECK(outcome.text.find(folder.text()) != std::string::npos);
-  CHECK(outcome.text.find("have complete lines up to there") != std::string::npos);
+  CHECK_THAT(outcome.text, Contains(folder.text()));
+  CHECK_THAT(outcome.text, Contains("have complete lines up to there"));
   for (const char* name : kTables) {
     INFO(name);
     CHECK(whole_lines(folder.path / name));

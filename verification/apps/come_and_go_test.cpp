@@ -10,8 +10,7 @@ TEST_CASE(
   const Folder files("come_and_go");
   const Folder one("come_and_go_one");
   const Folder two("come_and_go_two");
-  fs::create_directories(files.path);
-  const std::string file = files.text() + "/mine.toml";
+  const std::string file = files.file("mine.toml").string();
   std::ofstream(file) << R"(
 [ground]
 [[box]]

@@ -39,6 +39,19 @@ inline Outcome run_tumble(const std::string& arguments) {
   return shell(std::string(TUMBLE_COMMAND) + " " + arguments);
 }
 
+// Runs a line of a shell that has to end with a code.
+inline Outcome shell_ends(int code, const std::string& line) {
+  Outcome outcome = shell(line);
+  INFO(line << '\n' << outcome.text);
+  CHECK(outcome.code == code);
+  return outcome;
+}
+
+// Runs the command, which has to end with a code.
+inline Outcome tumble_ends(int code, const std::string& arguments) {
+  return shell_ends(code, std::string(TUMBLE_COMMAND) + " " + arguments);
+}
+
 // A command line that is wrong, and what its answer has to contain.
 struct Refusal {
   std::string arguments;  // as typed after the command's name

@@ -75,9 +75,8 @@ TEST_CASE("A scene that is printed runs as the scene itself does", "[unit][comma
   const Folder folder("printed");
   const Folder one("printed_one");
   const Folder two("printed_two");
-  fs::create_directories(folder.path);
   const std::string rest = " --duration 0.3 --quiet --force --out ";
-  const std::string file = folder.text() + "/mine.toml";
+  const std::string file = folder.file("mine.toml").string();
   REQUIRE(run_tumble("scenes dice --toml --set count=2 --seed 9 > " + file).code == 0);
   run_tumble("run " + file + rest + one.text());
   run_tumble("run dice --set count=2 --seed 9" + rest + two.text());
@@ -216,7 +215,7 @@ TEST_CASE("Scenes and techniques are listed, described and printed", "[unit][com
   CHECK(run_tumble("--version").text.find("tumble 0.") != std::string::npos);
   const Outcome toml = run_tumble("scenes stack --toml --set count=3");
   CHECK(toml.code == 0);
-  CHECK(toml.text.find("name = \"level3\"") != std::string::npos);
+  CHECK_THAT(toml.text, Contains("name = \"level3\""));
 }
 
 TEST_CASE("Every example scene runs", "[unit][command]") {
@@ -235,7 +234,7 @@ TEST_CASE("Every example scene runs", "[unit][command]") {
     if (!joints) continue;
     const Outcome refused = run_tumble("stability " + entry.path().string());
     CHECK(refused.code == 2);
-    CHECK(refused.text.find("does not support joints, and the scene has 3") != std::string::npos);
+    CHECK_THAT(refused.text, Contains("does not support joints, and the scene has 3"));
   }
   CHECK(found >= 3);
 }

@@ -13,8 +13,7 @@ void run_a_die(const Folder& folder) {
 
 // Puts a program called ffmpeg into a folder, which is to be in PATH.
 void write_ffmpeg(const Folder& folder, const std::string& script) {
-  fs::create_directories(folder.path);
-  std::ofstream(folder.path / "ffmpeg") << "#!/bin/sh\n" << script;
+  std::ofstream(folder.file("ffmpeg")) << "#!/bin/sh\n" << script;
   fs::permissions(folder.path / "ffmpeg", fs::perms::owner_all);
 }
 
@@ -40,10 +39,8 @@ TEST_CASE("A run becomes a GIF without any other program and with the same bytes
   run_a_die(folder);
   const std::size_t files = files_in(folder);
   const auto film = [&](const std::string& options) {
-    const Outcome outcome = shell("PATH=/nowhere " + std::string(TUMBLE_COMMAND) + " render " +
-                                  folder.text() + " --as gif " + options);
-    INFO(options << ": " << outcome.text);
-    CHECK(outcome.code == 0);
+    const Outcome outcome = shell_ends(0, "PATH=/nowhere " + std::string(TUMBLE_COMMAND) +
+                                              " render " + folder.text() + " --as gif " + options);
     CHECK(outcome.text == (folder.path / "film.gif").string() + "\n");
     return content(folder.path / "film.gif");
   };
@@ -86,11 +83,9 @@ TEST_CASE("A video is made by ffmpeg from frames that are in no file", "[unit][c
   const Outcome failed = with_programs();
   INFO(failed.text);
   CHECK(failed.code == 4);
-  CHECK(failed.text.find("ffmpeg could not write " + folder.text()) != std::string::npos);
-  const Outcome missing = shell("PATH=/nowhere " + render);
-  INFO(missing.text);
-  CHECK(missing.code == 4);
-  CHECK(missing.text.find("install the package ffmpeg") != std::string::npos);
+  CHECK_THAT(failed.text, Contains("ffmpeg could not write " + folder.text()));
+  const Outcome missing = shell_ends(4, "PATH=/nowhere " + render);
+  CHECK_THAT(missing.text, Contains("install the package ffmpeg"));
   CHECK(files_in(folder) == files);
 }
 
@@ -101,9 +96,7 @@ TEST_CASE("Where ffmpeg is installed a video is one that players show", "[unit][
   }
   const Folder folder("film_real_mp4");
   run_a_die(folder);
-  const Outcome made = run_tumble("render " + folder.text() + " --as mp4 --width 240");
-  INFO(made.text);
-  CHECK(made.code == 0);
+  tumble_ends(0, "render " + folder.text() + " --as mp4 --width 240");
   CHECK(content(folder.path / "film.mp4").substr(4, 4) == "ftyp");
 }
 
@@ -153,10 +146,8 @@ TEST_CASE("A film that cannot be made is refused in one line with a remedy", "[u
       {"gif --filtered", "run the scene with --filter"},
   };
   for (const auto& [options, message] : wrong) {
-    const Outcome outcome = run_tumble("render " + folder.text() + " --as " + options);
-    INFO(options << ": " << outcome.text);
-    CHECK(outcome.code == 2);
-    CHECK(outcome.text.find(message) != std::string::npos);
+    const Outcome outcome = tumble_ends(2, "render " + folder.text() + " --as " + options);
+    CHECK_THAT(outcome.text, Contains(message));
     CHECK(std::ranges::count(outcome.text, '\n') == 1);
   }
   CHECK(files_in(folder) == files);
@@ -176,15 +167,11 @@ TEST_CASE("A run without frames, or with one alone, makes no film", "[unit][comm
   for (const char* form : {"gif", "mp4", "gltf"}) {
     INFO(form);
     head(1);
-    const Outcome none = run_tumble("render " + folder.text() + " --as " + form);
-    INFO(none.text);
-    CHECK(none.code == 2);
-    CHECK(none.text.find("has no frame") != std::string::npos);
+    const Outcome none = tumble_ends(2, "render " + folder.text() + " --as " + form);
+    CHECK_THAT(none.text, Contains("has no frame"));
     head(2);
-    const Outcome one = run_tumble("render " + folder.text() + " --as " + form);
-    INFO(one.text);
-    CHECK(one.code == 2);
-    CHECK(one.text.find("one frame only, at 0 s") != std::string::npos);
+    const Outcome one = tumble_ends(2, "render " + folder.text() + " --as " + form);
+    CHECK_THAT(one.text, Contains("one frame only, at 0 s"));
   }
   CHECK(!fs::exists(folder.path / "film.gif"));
 }

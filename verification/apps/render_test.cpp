@@ -17,10 +17,8 @@ TEST_CASE("A comparison leaves tables, a scene and a picture, the same on every 
   const Folder one("compare_one");
   const Folder two("compare_two");
   const std::string rest = "compare bouncing_box --techniques basic --duration 0.5 --out ";
-  const Outcome outcome = run_tumble(rest + one.text());
-  INFO(outcome.text);
-  CHECK(outcome.code == 0);
-  CHECK(outcome.text.find("one technique only (basic)") != std::string::npos);
+  const Outcome outcome = tumble_ends(0, rest + one.text());
+  CHECK_THAT(outcome.text, Contains("one technique only (basic)"));
   CHECK(run_tumble(rest + two.text()).code == 0);
   CHECK(run_tumble(rest + two.text()).code == 2);
   CHECK(run_tumble(rest + two.text() + " --force").code == 0);  // its own folder may be used again
@@ -40,9 +38,8 @@ TEST_CASE("A comparison leaves tables, a scene and a picture, the same on every 
 TEST_CASE("The picture of a comparison has room for the names of all techniques",
           "[unit][command]") {
   const Folder folder("compare_all");
-  const Outcome outcome = run_tumble("compare bouncing_box --duration 0.1 --out " + folder.text());
-  INFO(outcome.text);
-  CHECK(outcome.code == 0);
+  const Outcome outcome =
+      tumble_ends(0, "compare bouncing_box --duration 0.1 --out " + folder.text());
   CHECK(outcome.text.find("arning") == std::string::npos);  // of gnuplot
 }
 
@@ -50,9 +47,7 @@ TEST_CASE("A technique that takes too long is marked as such in the comparison",
           "[unit][command]") {
   const Folder folder("limit");
   const Outcome outcome =
-      run_tumble("compare cage --duration 100000 --limit 0.1 --quiet --out " + folder.text());
-  INFO(outcome.text);
-  CHECK(outcome.code == 0);
+      tumble_ends(0, "compare cage --duration 100000 --limit 0.1 --quiet --out " + folder.text());
   CHECK(content(folder.path / "compare.csv").find("basic,time_limit") != std::string::npos);
 }
 
@@ -65,8 +60,7 @@ TEST_CASE("A comparison marks what no scene can do, and what refuses the scene",
   const Outcome outcome =
       run_tumble("compare chain --techniques basic,glued --duration 0.1 --out " + joined.text());
   INFO(outcome.text);
-  CHECK(outcome.text.find("basic: tumble: technique basic does not support joints") !=
-        std::string::npos);
+  CHECK_THAT(outcome.text, Contains("basic: tumble: technique basic does not support joints"));
   CHECK(content(joined.path / "compare.csv").find("\nbasic,refused,") != std::string::npos);
   CHECK(content(joined.path / "compare.csv").find("\nglued,complete,") != std::string::npos);
 }
@@ -76,8 +70,8 @@ TEST_CASE("Where gnuplot is missing its package is named", "[unit][command]") {
   const Outcome table =
       shell(without_programs() + "compare bouncing_box --duration 0.1 --out " + compared.text());
   CHECK(table.code == 0);  // the numbers are there
-  CHECK(table.text.find("no picture: ") != std::string::npos);
-  CHECK(table.text.find("gnuplot-nox") != std::string::npos);
+  CHECK_THAT(table.text, Contains("no picture: "));
+  CHECK_THAT(table.text, Contains("gnuplot-nox"));
   CHECK(!content(compared.path / "compare.csv").empty());
 }
 
@@ -86,9 +80,7 @@ TEST_CASE("Frames of a run are drawn as SVG and PNG, one or several", "[unit][co
   const std::string quoted = "\"" + folder.text() + "\"";
   REQUIRE(run_tumble("run dice --duration 0.4 --quiet --out " + quoted).code == 0);
   const auto draw = [&](const std::string& options) {
-    const Outcome outcome = shell(without_programs() + "render " + quoted + " " + options);
-    INFO(options << ": " << outcome.text);
-    CHECK(outcome.code == 0);
+    const Outcome outcome = shell_ends(0, without_programs() + "render " + quoted + " " + options);
     std::string path = outcome.text.substr(0, outcome.text.find('\n'));
     CHECK(path.find(folder.text()) == 0);
     const std::string picture = content(path);
@@ -113,9 +105,7 @@ TEST_CASE("Frames of a run are drawn as SVG and PNG, one or several", "[unit][co
 
   for (const char* wrong : {"--at 0.5", "--at nan", "--strip 0,7", "--view 0,1,0", "--view 1,2",
                             "--at 0.1 --strip 0,0.1"}) {
-    const Outcome outcome = run_tumble("render " + quoted + " --as svg " + wrong);
-    INFO(wrong << ": " << outcome.text);
-    CHECK(outcome.code == 2);
+    const Outcome outcome = tumble_ends(2, "render " + quoted + " --as svg " + wrong);
     CHECK(std::ranges::count(outcome.text, '\n') == 1);
     CHECK(!fs::exists(folder.path / "picture.svg"));
   }

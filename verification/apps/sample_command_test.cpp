@@ -43,10 +43,8 @@ TEST_CASE("The command finds motions that meet a wish, writes them, and shows th
   const std::string out = (folder.path / "out").string();
   write_die(folder.path / "die.toml", kSix);
   const std::string options = scene + " --duration 1 --samples 4 --chains 2 --proposals 60 ";
-  const Outcome done = run_tumble("sample " + options + "--cores 2 --out " + out);
-  INFO(done.text);
-  CHECK(done.code == 0);
-  CHECK(done.text.find("4 of 4 motions meet all wishes") != std::string::npos);
+  const Outcome done = tumble_ends(0, "sample " + options + "--cores 2 --out " + out);
+  CHECK_THAT(done.text, Contains("4 of 4 motions meet all wishes"));
   CHECK(done.text.find('\r') == std::string::npos);  // no progress without a terminal
   CHECK(files_in(out) == std::set<std::string>{".tumble", "chain_1.csv", "chain_2.csv",
                                                "motion_1.csv", "motion_2.csv", "motion_3.csv",
@@ -98,7 +96,7 @@ TEST_CASE("Sampling that was cut off and goes on ends as if it had not been",
                   "sampling.txt has \"seed = 1\", and this is \"seed = 2\""}});
   const Outcome on = shell("timeout -s INT 0.3 " + std::string(TUMBLE_COMMAND) + " sample " +
                            long_run + "--resume --out " + out("killed"));
-  CHECK(on.text.find("interrupted: the chains in") != std::string::npos);
+  CHECK_THAT(on.text, Contains("interrupted: the chains in"));
   CHECK(run_tumble("sample " + options + "--samples 8 --resume --out " + out("killed")).code == 0);
   // Nothing was begun anew: no row is lost, and they are those of a run that was not cut off.
   const std::string last = content(folder.path / "killed" / "chain_1.csv");
@@ -111,21 +109,20 @@ TEST_CASE("Chains that find too little end at their cap with the nearest motion 
   const Folder folder("sample_cap");
   const std::string scene = (folder.path / "die.toml").string();
   write_die(folder.path / "die.toml", "kind = \"ends_in\"\nlow = [5, 0, 0]\nhigh = [6, 1, 1]");
-  const Outcome capped =
-      run_tumble("sample " + scene + " --duration 0.5 --samples 2 --chains 2 --proposals 5 --out " +
-                 (folder.path / "out").string());
-  INFO(capped.text);
-  CHECK(capped.code == 3);
-  CHECK(capped.text.find("0 of 2 motions were found before chains ended at 5 proposals; the "
-                         "closest one has a violation of 0.99") != std::string::npos);
+  const Outcome capped = tumble_ends(
+      3, "sample " + scene + " --duration 0.5 --samples 2 --chains 2 --proposals 5 --out " +
+             (folder.path / "out").string());
+  CHECK_THAT(capped.text,
+             Contains("0 of 2 motions were found before chains ended at 5 proposals; the "
+                      "closest one has a violation of 0.99"));
   CHECK(files_in(folder.path / "out").count("motion_1.csv") == 1);
   CHECK(lines_of(folder.path / "out" / "chain_2.csv").size() == 6);
   const Outcome slow = run_tumble(
       "sample " + scene + " --duration 0.5 --samples 1 --proposals 3 --noise-speed 1000 --out " +
       (folder.path / "slow").string());
   CHECK(slow.code == 3);
-  CHECK(slow.text.find("no impact was fast enough for noise: try a smaller --noise-speed") !=
-        std::string::npos);
+  CHECK_THAT(slow.text,
+             Contains("no impact was fast enough for noise: try a smaller --noise-speed"));
 }
 
 TEST_CASE("What tumble sample cannot do is refused, and nothing of others is touched",

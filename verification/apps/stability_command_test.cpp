@@ -19,8 +19,7 @@ struct SceneFile {
   Folder folder;
   std::string path;
   SceneFile(const char* name, const std::string& text) : folder(name) {
-    std::filesystem::create_directories(folder.path);
-    path = folder.text() + "/scene.toml";
+    path = folder.file("scene.toml").string();
     std::ofstream(path) << text;
   }
 };
@@ -34,18 +33,14 @@ const std::string kTwoBoxes =
 
 TEST_CASE("The command reports which boxes are stable, by which level and why", "[unit][command]") {
   const SceneFile file("stability_levels", kTwoBoxes + "[0.3, 1.5, 0]\n");
-  const Outcome hull = run_tumble("stability " + file.path + " --rule hull");
-  INFO(hull.text);
-  CHECK(hull.code == 0);
+  const Outcome hull = tumble_ends(0, "stability " + file.path + " --rule hull");
   CHECK_THAT(line_of(hull.text, "lower"),
              Contains(" yes ") && Contains(" hull ") && Contains("supports any load"));
   CHECK_THAT(line_of(hull.text, "upper"),
              Contains(" no ") && Contains(" - ") && Contains("the corner at x = 0.8 m, z = "));
   CHECK_THAT(hull.text, Contains("1 of 2 movable boxes are stable by hull") &&
                             Contains("\nin equilibrium under the weights, without friction"));
-  const Outcome equilibrium = run_tumble("stability " + file.path);
-  INFO(equilibrium.text);
-  CHECK(equilibrium.code == 0);
+  const Outcome equilibrium = tumble_ends(0, "stability " + file.path);
   CHECK_THAT(line_of(equilibrium.text, "upper"), Contains(" yes ") && Contains(" tower "));
   CHECK_THAT(equilibrium.text, Contains("2 of 2 movable boxes are stable by equilibrium"));
   CHECK_THAT(run_tumble("stability " + file.path + " --rule corners").text,
@@ -57,9 +52,7 @@ TEST_CASE("The command prints the boxes that begin to move, and how fast", "[exa
   // which slides, a cube turns with g d / (I/m + d²) = 9.81 * 0.1 / (1/6 + 0.01) and its centre sinks
   // with a tenth of that.
   const SceneFile file("stability_moves", kTwoBoxes + "[0.6, 1.5, 0]\n");
-  const Outcome outcome = run_tumble("stability " + file.path);
-  INFO(outcome.text);
-  CHECK(outcome.code == 0);
+  const Outcome outcome = tumble_ends(0, "stability " + file.path);
   CHECK_THAT(line_of(outcome.text, "upper"), Contains("begins to move, see below"));
   CHECK_THAT(outcome.text,
              Contains("not in equilibrium under the weights, without friction, nor with it") &&
@@ -73,9 +66,7 @@ TEST_CASE("The command prints the boxes that begin to move, and how fast", "[exa
 }
 
 TEST_CASE("The levels of the command are hull, balance and loads on top", "[unit][command]") {
-  const Outcome bridge = run_tumble("stability fig6_5");
-  INFO(bridge.text);
-  CHECK(bridge.code == 0);
+  const Outcome bridge = tumble_ends(0, "stability fig6_5");
   const Outcome pyramid = run_tumble("stability fig5_6 --set rows=5");
   INFO(pyramid.text);
   CHECK_THAT(line_of(pyramid.text, "r1_1"), Contains(" yes ") && Contains(" hull "));
@@ -96,15 +87,11 @@ TEST_CASE("The levels of the command are hull, balance and loads on top", "[unit
 
 TEST_CASE("Scenes that move, without ground or with gravity from the side are reported too",
           "[unit][command]") {
-  const Outcome drop = run_tumble("stability box_drop");
-  INFO(drop.text);
-  CHECK(drop.code == 0);
+  const Outcome drop = tumble_ends(0, "stability box_drop");
   CHECK_THAT(drop.text, Contains("0 of 1 movable boxes") && Contains("-9.8100"));
   const SceneFile aside("stability_aside",
                         "gravity = [9.81, 0, 0]\n" + kTwoBoxes + "[0, 1.5, 0]\n");
-  const Outcome side = run_tumble("stability " + aside.path + " --rule hull");
-  INFO(side.text);
-  CHECK(side.code == 0);
+  const Outcome side = tumble_ends(0, "stability " + aside.path + " --rule hull");
   CHECK_THAT(line_of(side.text, "lower"), Contains("gravity does not act straight down"));
   const SceneFile rising("stability_rising", kTwoBoxes + "[0, 1.5, 0]\nvelocity = [0, 1, 0]\n");
   CHECK_THAT(line_of(run_tumble("stability " + rising.path).text, "upper"),
@@ -115,8 +102,7 @@ TEST_CASE("Scenes that move, without ground or with gravity from the side are re
 
 TEST_CASE("Mistakes in a request for stability end with code 2 and one line", "[unit][command]") {
   const Folder folder("stability_bad");
-  std::filesystem::create_directories(folder.path);
-  std::ofstream(folder.path / "bad.toml") << "[[box]]\nsize = [1, 1, -1]\n";
+  std::ofstream(folder.file("bad.toml")) << "[[box]]\nsize = [1, 1, -1]\n";
   check_refused({
       {"stability", "scene is required"},
       {"stability nosuch", "unknown scene nosuch"},

@@ -16,8 +16,8 @@ TEST_CASE("A run that a solver cannot go on with ends with 3 and leaves the prob
       path);
   CAPTURE(run.text);
   REQUIRE(run.code == 3);
-  CHECK(run.text.find("unsolved_A.mtx") != std::string::npos);
-  CHECK(run.text.find("unsolved_b.mtx") != std::string::npos);
+  CHECK_THAT(run.text, Contains("unsolved_A.mtx"));
+  CHECK_THAT(run.text, Contains("unsolved_b.mtx"));
   CHECK(content(folder.path / "summary.json").find("\"end\": \"failed\"") != std::string::npos);
   const std::string again =
       "lcp --matrix " + path + "/unsolved_A.mtx --vector " + path + "/unsolved_b.mtx --solver ";
@@ -31,8 +31,7 @@ TEST_CASE("A run that a solver cannot go on with ends with 3 and leaves the prob
 TEST_CASE("A user's mistake ends with 2, what is found inside a step with 3, the first step too",
           "[unit][command]") {
   const Folder folder("broken_step");
-  fs::create_directories(folder.path);
-  const std::string file = folder.text() + "/fast.toml";
+  const std::string file = folder.file("fast.toml").string();
   std::ofstream(file) << "[[box]]\nsize = [1, 1, 1]\nmass = 1\nposition = [0, 1, 0]\n"
                          "velocity = [2.9e8, 0, 0]\n"
                          "[[box]]\nsize = [1, 1, 1]\nmass = 1\nposition = [2, 1, 0]\n";
@@ -42,11 +41,11 @@ TEST_CASE("A user's mistake ends with 2, what is found inside a step with 3, the
   };
   const Outcome user = run("basic");  // its resolution is an option
   CHECK(user.code == 2);
-  CHECK(user.text.find("expected more than rounding of a flight of 1e+20 s") != std::string::npos);
+  CHECK_THAT(user.text, Contains("expected more than rounding of a flight of 1e+20 s"));
   CHECK(!fs::exists(folder.path / "basic"));
   const Outcome step = run("contact_damped");  // that of its search is not
   INFO(step.text);
   CHECK(step.code == 3);
-  CHECK(step.text.find("contact_damped stopped at 0 s") != std::string::npos);
+  CHECK_THAT(step.text, Contains("contact_damped stopped at 0 s"));
   CHECK(fs::exists(folder.path / "contact_damped" / "summary.json"));
 }

@@ -130,15 +130,12 @@ TEST_CASE("A choice with a mistake is refused with file and entry", "[unit][ledg
 
 TEST_CASE("Every choice of the chapters has a value, a reason, and numbers or a reason for none",
           "[structure][ledger]") {
-  const std::filesystem::path root = TUMBLE_SOURCE_DIR;
-  std::set<std::filesystem::path> files;  // a directory has no order
-  for (const auto& entry : std::filesystem::directory_iterator(root / "chapters")) {
-    for (const char* name : {"expected.csv", "claims.toml", "choices.toml"})
-      if (std::filesystem::exists(entry.path() / name)) files.insert(entry.path() / name);
-  }
+  std::set<std::filesystem::path> files;
+  for (const char* name : {"expected.csv", "claims.toml", "choices.toml"})
+    for (const std::filesystem::path& file : files_of_chapters(name)) files.insert(file);
   const Findings findings = read_findings("/nowhere", {files.begin(), files.end()});
   CHECK(findings.choices.size() > 30);
-  const auto constants = read_all_tolerances(root / "src/tumble");
+  const auto constants = read_all_tolerances(chapters_folder() / "../src/tumble");
   for (const ChoiceEntry& entry : findings.choices) {
     INFO(entry.choice.place);
     const auto values = chosen_values(entry.choice, {constants, findings.figures});

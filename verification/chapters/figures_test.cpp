@@ -5,8 +5,6 @@
 #include "driver/registry.hpp"
 #include "support/test.hpp"
 
-#include <filesystem>
-
 namespace tumble::chapters {
 namespace {
 
@@ -42,14 +40,7 @@ TEST_CASE("A figure without text and a text without figure are named", "[unit][l
 
 TEST_CASE("Every registered figure has a text in its chapter, and every text a figure",
           "[unit][ledger]") {
-  const std::filesystem::path source = TUMBLE_SOURCE_DIR;
-  std::vector<FigureText> texts;
-  for (const auto& entry : std::filesystem::directory_iterator(source / "chapters")) {
-    const std::filesystem::path file = entry.path() / "figures.toml";
-    if (!std::filesystem::exists(file)) continue;
-    const std::vector<FigureText> more = read_figure_texts(file);
-    texts.insert(texts.end(), more.begin(), more.end());
-  }
+  const std::vector<FigureText> texts = read_of_chapters("figures.toml", read_figure_texts);
   CHECK(texts.size() > 40);
   CHECK_NOTHROW(with_texts(registered_figures(), texts));
 }

@@ -136,27 +136,15 @@ TEST_CASE("A second measurement has its own rule and stands beside the first", "
 }
 
 TEST_CASE("README counts both words as the ledger does", "[unit][ledger]") {
-  const std::filesystem::path source = TUMBLE_SOURCE_DIR;
-  std::vector<std::filesystem::path> expected;
+  std::vector<Claim> claims = read_claims(chapters_folder() / "open_claims.toml");
+  const std::vector<Claim> measured = read_of_chapters("claims.toml", read_claims);
+  claims.insert(claims.end(), measured.begin(), measured.end());
   Findings findings;
-  std::vector<Claim> claims = read_claims(source / "chapters/open_claims.toml");
-  std::vector<Erratum> errata;
-  for (const auto& entry : std::filesystem::directory_iterator(source / "chapters")) {
-    const auto add = [&](auto& list, const char* name, auto read) {
-      if (!std::filesystem::exists(entry.path() / name)) return;
-      const auto more = read(entry.path() / name);
-      list.insert(list.end(), more.begin(), more.end());
-    };
-    add(claims, "claims.toml", read_claims);
-    add(errata, "errata.toml", read_errata);
-    if (std::filesystem::exists(entry.path() / "expected.csv"))
-      expected.push_back(entry.path() / "expected.csv");
-  }
-  findings.figures = as_expected(expected);
+  findings.figures = as_expected(files_of_chapters("expected.csv"));
   findings.ledger = judge(claims, findings.figures);
-  findings.errata = find_errata(errata, findings.figures);
+  findings.errata = find_errata(read_of_chapters("errata.toml", read_errata), findings.figures);
   INFO(counts_text(findings));
-  CHECK_THAT(unbroken(read_file(source / "README.md")),
+  CHECK_THAT(unbroken(read_file(chapters_folder() / "../README.md")),
              Contains(unbroken(replaced(counts_text(findings), "\n", ""))));
 }
 

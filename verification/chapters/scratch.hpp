@@ -9,6 +9,10 @@
 #include <fstream>
 #include <string>
 
+#ifndef TUMBLE_SOURCE_DIR
+#define TUMBLE_SOURCE_DIR "."  // where the build does not say
+#endif
+
 namespace tumble::chapters {
 
 // A folder of one test and its process, removed when the test ends.
@@ -39,6 +43,31 @@ class Scratch {
  private:
   test::Folder folder_;
 };
+
+// The folder of the chapters.
+inline std::filesystem::path chapters_folder() {
+  return std::filesystem::path(TUMBLE_SOURCE_DIR) / "chapters";
+}
+
+// The files of this name that the chapters have, by chapter.
+inline std::vector<std::filesystem::path> files_of_chapters(const std::string& name) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(chapters_folder()))
+    if (std::filesystem::exists(entry.path() / name)) files.push_back(entry.path() / name);
+  std::ranges::sort(files);  // a directory has no order
+  return files;
+}
+
+// What is read from them, in one list.
+template <class Read>
+auto read_of_chapters(const std::string& name, const Read& read) {
+  decltype(read(std::filesystem::path())) all;
+  for (const std::filesystem::path& file : files_of_chapters(name)) {
+    const auto more = read(file);
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
 
 // A text in which a part that it has to have is another one.
 inline std::string replaced(std::string text, const std::string& old_text,

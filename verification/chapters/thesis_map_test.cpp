@@ -32,8 +32,7 @@ Findings findings_of_a_claim() {
 }  // namespace
 
 TEST_CASE("The map of the thesis has each of its sections once and in order", "[unit][ledger]") {
-  const auto sections =
-      read_thesis_map(std::filesystem::path(TUMBLE_SOURCE_DIR) / "chapters" / "thesis_map.toml");
+  const auto sections = read_thesis_map(chapters_folder() / "thesis_map.toml");
   std::vector<std::string> ids;
   std::set<std::string> figures;
   for (const ThesisSection& one : sections) {
@@ -53,8 +52,7 @@ TEST_CASE("The map of the thesis has each of its sections once and in order", "[
 }
 
 TEST_CASE("From chapter 3 on every section of the thesis is in this book", "[unit][ledger]") {
-  for (const ThesisSection& one :
-       read_thesis_map(std::filesystem::path(TUMBLE_SOURCE_DIR) / "chapters" / "thesis_map.toml")) {
+  for (const ThesisSection& one : read_thesis_map(chapters_folder() / "thesis_map.toml")) {
     INFO(one.id);
     if (one.id >= "3") CHECK(one.state == "here");
   }

@@ -89,7 +89,7 @@ TEST_CASE("A number in a technique's row of the page is measured with that techn
         const std::string figure = comment.substr(5, comment.find(':') - 5);
         if (figures.count(figure) == 0) continue;
         INFO(comment);
-        CHECK(comment.find(": " + one.name + ": ") != std::string::npos);
+        CHECK_THAT(comment, Contains(": " + one.name + ": "));
       }
     }
   }
@@ -103,8 +103,7 @@ TEST_CASE("A number that was measured with a technique stands in its row of the 
       const std::size_t colon = number.quantity.find(": ");
       if (colon == std::string::npos) continue;
       INFO(number.quantity);
-      CHECK(page.find("<!-- " + figure.name + ": " + number.quantity + " -->") !=
-            std::string::npos);
+      CHECK_THAT(page, Contains("<!-- " + figure.name + ": " + number.quantity + " -->"));
     }
   }
 }

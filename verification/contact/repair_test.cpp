@@ -23,10 +23,6 @@ BodyId fixed(World& world, const Vec3& size, double x, double y) {
   return world.add(fixed_box_properties(size), place(Vec3(x, y, 0.0)));
 }
 
-Vec3 position_of(const World& world, BodyId id) {
-  return world.states()[idx(world.index_of(id))].position_w;
-}
-
 RepairReport repair(World& world) {
   OverlapRepair repair_rule;
   return repair_rule.run(world, all_pairs(world));
@@ -84,7 +80,7 @@ TEST_CASE("A stack of five pressed into itself is put right in one sweep", "[exa
   for (int k = 0; k < 5; ++k) {
     const Vec3 expected(0.0, 0.5 + k - (k + 1) * kSlop, 0.0);
     // Rounding of five sums of numbers up to 5 m: measured 9e-16 m.
-    CHECK((position_of(world, boxes[idx(k)]) - expected).norm() < 1e-14);
+    CHECK((world.body(boxes[idx(k)]).position_w() - expected).norm() < 1e-14);
   }
   CHECK(report.energy == near(potential_energy(world) - before).epsilon(1e-12));
   CHECK(report.energy > 0.0);
@@ -103,13 +99,13 @@ TEST_CASE("A contact is left as an overlap, not as a gap", "[unit][repair]") {
   OverlapRepair coarse(RepairOptions{.slop = 0.05, .most_sweeps = 1});
   const RepairReport report = coarse.run(world, all_pairs(world));
   CHECK(report.status == RepairStatus::clear);
-  CHECK(position_of(world, box).y() == near(0.45).epsilon(1e-14));
+  CHECK(world.body(box).position_w().y() == near(0.45).epsilon(1e-14));
   // The slop is a share of the shortest edge of the two bodies.
   World thin;
   const BodyId plate = thin.add(box_properties(Vec3(1.0, 0.1, 1.0), 1.0), place(Vec3(0, 0.54, 0)));
   fixed(thin, Vec3::Ones(), 0.0, 0.0);
   repair(thin);
-  CHECK(position_of(thin, plate).y() == near(0.55 - 0.1 * kSlop).epsilon(1e-14));
+  CHECK(thin.body(plate).position_w().y() == near(0.55 - 0.1 * kSlop).epsilon(1e-14));
 }
 
 TEST_CASE("A box that presses against a shelf from below goes down, and the shelf stays",
@@ -119,8 +115,8 @@ TEST_CASE("A box that presses against a shelf from below goes down, and the shel
   const BodyId box = cube(world, 0.0, 0.6);  // its top is 0.05 m inside the shelf
   const RepairReport report = repair(world);
   CHECK(report.status == RepairStatus::clear);
-  CHECK(position_of(world, shelf) == Vec3(0.0, 1.15, 0.0));
-  CHECK(position_of(world, box).y() == near(0.55 + 0.2 * kSlop).epsilon(1e-14));
+  CHECK(world.body(shelf).position_w() == Vec3(0.0, 1.15, 0.0));
+  CHECK(world.body(box).position_w().y() == near(0.55 + 0.2 * kSlop).epsilon(1e-14));
   CHECK(report.energy < 0.0);
 }
 
@@ -137,8 +133,8 @@ TEST_CASE("A box squeezed between two walls ends in their middle, and the status
     CHECK(report.deepest_before == near(0.1 + std::abs(off), 1e-12));
     // [m] 0.1 is the best there is; half steps miss the middle by a little: measured 0.1120
     CHECK(report.deepest_after < 0.115);
-    CHECK(std::abs(position_of(world, box).x()) < 0.015);
-    CHECK(position_of(world, box).y() == 0.0);
+    CHECK(std::abs(world.body(box).position_w().x()) < 0.015);
+    CHECK(world.body(box).position_w().y() == 0.0);
   }
 }
 
@@ -158,7 +154,8 @@ TEST_CASE("A box in a wedge of two faces finds its way out", "[unit][repair]") {
   // It fits where the wedge is 0.8 m wide: lower corners at 0.4 sqrt(3); the slop along
   // a normal that rises by one half is twice as much along y.
   CHECK(report.deepest_before == near(0.5 * (0.4 * std::sqrt(3.0) - 0.5)).epsilon(1e-12));
-  CHECK(position_of(world, box).y() == near(0.4 + 0.4 * std::sqrt(3.0) - 2.0 * 0.8 * kSlop, 1e-4));
+  CHECK(world.body(box).position_w().y() ==
+        near(0.4 + 0.4 * std::sqrt(3.0) - 2.0 * 0.8 * kSlop, 1e-4));
 }
 
 TEST_CASE("Two boxes side by side on the ground share the way in the ratio of their masses",
@@ -171,8 +168,8 @@ TEST_CASE("Two boxes side by side on the ground share the way in the ratio of th
   CHECK(report.status == RepairStatus::clear);
   CHECK(report.moves == 1);
   const double way = 0.08 - kSlop;
-  CHECK(position_of(world, light).x() == near(-0.46 - 0.75 * way).epsilon(1e-14));
-  CHECK(position_of(world, heavy).x() == near(0.46 + 0.25 * way).epsilon(1e-14));
+  CHECK(world.body(light).position_w().x() == near(-0.46 - 0.75 * way).epsilon(1e-14));
+  CHECK(world.body(heavy).position_w().x() == near(0.46 + 0.25 * way).epsilon(1e-14));
   CHECK(report.energy == near(0.0, 1e-15));
 }
 
@@ -186,9 +183,9 @@ TEST_CASE("A box beside a stack's second box gives way, not the stack's lower on
   const BodyId high = cube(world, 0.5, 1.498);
   const RepairReport report = repair(world);
   CHECK(report.status == RepairStatus::clear);
-  CHECK(position_of(world, tall).x() == 1.45);
-  CHECK(position_of(world, low).x() == 0.0);
-  CHECK(position_of(world, high).x() == near(0.45 + kSlop).epsilon(1e-12));
+  CHECK(world.body(tall).position_w().x() == 1.45);
+  CHECK(world.body(low).position_w().x() == 0.0);
+  CHECK(world.body(high).position_w().x() == near(0.45 + kSlop).epsilon(1e-12));
 }
 
 TEST_CASE("Immovable and sleeping bodies never move", "[unit][repair]") {
@@ -201,15 +198,15 @@ TEST_CASE("Immovable and sleeping bodies never move", "[unit][repair]") {
   CHECK(report.status == RepairStatus::clear);
   CHECK(report.pair_tests == 0);
   CHECK(report.deepest_before == 0.0);
-  CHECK(position_of(world, sleeper).y() == 0.9);
+  CHECK(world.body(sleeper).position_w().y() == 0.9);
 
   // A body that is awake goes out of the sleeper's way, although it is below.
   const BodyId below = cube(world, 0.0, 0.1);
   world.remove(world.ids()[0]);
   world.remove(world.ids()[0]);
   report = repair(world);
-  CHECK(position_of(world, sleeper).y() == 0.9);
-  CHECK(position_of(world, below).y() == near(-0.1 + kSlop).epsilon(1e-12));
+  CHECK(world.body(sleeper).position_w().y() == 0.9);
+  CHECK(world.body(below).position_w().y() == near(-0.1 + kSlop).epsilon(1e-12));
 }
 
 TEST_CASE("Only positions change, and the energy booked is the potential energy added",

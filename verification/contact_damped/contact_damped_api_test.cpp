@@ -202,14 +202,12 @@ TEST_CASE("A frictionless box keeps its speed, one with friction ten stops withi
           "[exact][contact_damped]") {
   BOTH_POSES;
   World smooth = world_of("slide", {{"friction", "0"}});
-  const std::unique_ptr<Technique> technique = contact_damped();
-  run(smooth, *technique, 2.0);
+  run(smooth, *contact_damped(), 2.0);
   CHECK(smooth.body("box").velocity_w().x() == near(3.0, 1e-12));
   // 0.2 m/s is less than mu g h = 1.6 m/s, and too slow to tip the box.
   World rough = world_of("slide", {{"friction", "10"}, {"speed", "0.2"}});
   const World start = rough;
-  const std::unique_ptr<Technique> other = contact_damped();
-  run(rough, *other, 1.0);
+  run(rough, *contact_damped(), 1.0);
   CHECK(fastest_of(rough) < 1e-4);
   CHECK(distance_of(rough, start) < 0.2 * kFrame);
   CHECK(turned_most_of(rough, start) < 1e-4);
@@ -224,8 +222,7 @@ TEST_CASE("A box that is wedged between two walls too close for it comes to rest
   world.add(wall, Vec3(-0.9999, 0.0, 0.0));
   world.add(wall, Vec3(0.9999, 0.0, 0.0));
   world.add(box_properties(Vec3::Ones(), 1.0), Vec3(0.0, 0.0, 0.0));
-  const std::unique_ptr<Technique> technique = contact_damped();
-  const Course course = run(world, *technique, 2.0);
+  const Course course = run(world, *contact_damped(), 2.0);
   INFO("fastest " << course.fastest << " m/s, moved " << course.moved << " m");
   CHECK(course.not_finite == 0);
   CHECK(course.fastest < 2.0 * kGravity + 1e-9);  // [m/s] not faster than free fall

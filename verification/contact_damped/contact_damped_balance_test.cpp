@@ -14,8 +14,7 @@ bool stays(double mass_ratio, double offset) {
   World world = world_of(
       "fig6_5", {{"mass_ratio", text(mass_ratio)}, {"offset", text(offset)}, {"friction", "0"}});
   const World start = world;
-  const std::unique_ptr<Technique> technique = contact_damped();
-  run(world, *technique, 2.0);
+  run(world, *contact_damped(), 2.0);
   return distance_of(world, start) < 0.01;  // [m]
 }
 
@@ -47,8 +46,7 @@ TEST_CASE("A loaded see-saw tips, one with equal loads stays", "[exact][contact_
   BOTH_POSES;
   const auto tilt_after = [](const Settings& set, double seconds) {
     World world = world_of("seesaw", set);
-    const std::unique_ptr<Technique> technique = contact_damped();
-    run(world, *technique, seconds);
+    run(world, *contact_damped(), seconds);
     const Vec3 along = world.body("plank").state().orientation_wb * Vec3::UnitX();
     return std::asin(along.y()) / kDegree;  // [degrees] above 0: the left end is down
   };
@@ -81,8 +79,7 @@ TEST_CASE("A ladder on a smooth wall stands from cot = 2 mu + t/L on", "[exact][
     const Vec3 place = Vec3(2.0 * std::cos(angle), 0.0, 0.0) + lean * Vec3(-1.0, 0.01, 0.0);
     world.add(ladder, make_state(ladder, place, lean), "ladder");
     const World start = world;
-    const std::unique_ptr<Technique> technique = contact_damped();
-    run(world, *technique, 3.0);
+    run(world, *contact_damped(), 3.0);
     INFO(off << " degrees off the limit");
     if (off < 0.0) CHECK(turned_most_of(world, start) > 5.0 * kDegree);
     if (off > 0.0) CHECK(turned_most_of(world, start) < 0.05 * kDegree);
@@ -96,8 +93,7 @@ TEST_CASE("Planks that lean on blocks, and a table on four legs, stay where they
       {"leaning", {}}, {"leaning", {{"fixed", "on"}}}, {"table", {}}, {"table", {{"load", "50"}}}};
   for (const auto& [name, set] : scenes) {
     World world = world_of(name, set);
-    const std::unique_ptr<Technique> technique = contact_damped();
-    const Course course = run(world, *technique, 4.0);
+    const Course course = run(world, *contact_damped(), 4.0);
     INFO(name);
     CHECK(course.failed == 0);
     CHECK(course.moved < 1e-3);  // [m] invisible, as for structures

@@ -10,7 +10,6 @@ using namespace tumble::chapters;
 
 namespace {
 
-constexpr const char* kTechnique = "contact_damped";
 constexpr const char* kData = "contactnets-cube-tosses";
 
 struct Compared {
@@ -22,9 +21,8 @@ struct Compared {
 Compared compare(const std::vector<MeasuredToss>& tosses, const char* name, double dt) {
   Compared all;
   for (const MeasuredToss& toss : tosses) {
-    const std::unique_ptr<Technique> technique = awake(name);
     add(measured_outcome(toss), all.measured);
-    add(simulated_outcome(toss, *technique, dt), all.simulated);
+    add(simulated_outcome(toss, *awake(name), dt), all.simulated);
     if (all.measured.face.back() == all.simulated.face.back()) ++all.same_face;
   }
   return all;
@@ -51,7 +49,8 @@ void check_alike(const std::vector<double>& measured, const std::vector<double>&
   CHECK(quantile_of(simulated, 0.5) <= quantile_of(measured, 0.75));
 }
 
-void check_tosses(const char* name) {
+// flat: whether all have to rest on a face
+void check_tosses(const char* name, bool flat = true) {
   const auto folder = shared_data(kData);
   if (!folder) return;
   const Compared all = compare(read_tosses(*folder), name, kFrame);
@@ -59,8 +58,8 @@ void check_tosses(const char* name) {
             << text_of("travel [m]", all.measured.travel, all.simulated.travel) << "; "
             << text_of("rest [s]", all.measured.time_to_rest, all.simulated.time_to_rest)
             << "; same face " << all.same_face);
-  CHECK(all.simulated.resting == 20);
-  CHECK(all.simulated.flat == 20);
+  if (flat) CHECK(all.simulated.resting == 20);
+  if (flat) CHECK(all.simulated.flat == 20);
   // Guessing hits one face in six; seven of twenty or more happen to a guesser in 4 of 100 cases.
   CHECK(all.same_face >= 7);
   check_alike(all.measured.travel, all.simulated.travel);
@@ -110,22 +109,14 @@ TEST_CASE("The distance of two distributions is that of their shares up to a num
 
 TEST_CASE("Cubes tossed like measured ones go as far and rest as soon as those did",
           "[reference][contact_damped]") {
-  check_tosses(kTechnique);
+  check_tosses("contact_damped");
 }
 
 TEST_CASE("With impulses alone tossed cubes go as far and rest as soon as the measured ones",
           "[reference][impulse][contact_damped]") {
   // The same lines, but for resting flat: without damping a cube may stay on an edge, and 18 of the
-  // 20 have a face down within two degrees.
-  const auto folder = shared_data(kData);
-  if (!folder) return;
-  const Compared all = compare(read_tosses(*folder), "impulse", kFrame);
-  INFO(text_of("travel [m]", all.measured.travel, all.simulated.travel)
-       << "; " << text_of("rest [s]", all.measured.time_to_rest, all.simulated.time_to_rest)
-       << "; same face " << all.same_face);
-  CHECK(all.same_face >= 7);                                           // measured 17
-  check_alike(all.measured.travel, all.simulated.travel);              // distance 0.30
-  check_alike(all.measured.time_to_rest, all.simulated.time_to_rest);  // distance 0.25
+  // 20 have a face down within two degrees. Measured 17 same faces, and distances of 0.30 and 0.25.
+  check_tosses("impulse", false);
 }
 
 TEST_CASE("Most boxes of a settled clump have a face down", "[claims][contact_damped]") {

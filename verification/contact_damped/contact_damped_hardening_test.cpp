@@ -45,8 +45,7 @@ TEST_CASE("No friction is too large for a box, a leaning plank or a see-saw",
   for (const char* friction : {"3", "10"}) {
     for (const char* scene : {"leaning", "seesaw", "stack"}) {
       World world = world_of(scene, {{"friction", friction}});
-      const std::unique_ptr<Technique> technique = contact_damped();
-      const Course course = run(world, *technique, 3.0);
+      const Course course = run(world, *contact_damped(), 3.0);
       INFO(scene << ", friction " << friction);
       CHECK(course.failed == 0);
       CHECK(course.overlap < 0.03);  // [m] a see-saw of friction 10 settles for the whole time
@@ -57,8 +56,7 @@ TEST_CASE("No friction is too large for a box, a leaning plank or a see-saw",
     const Quat tilt = rotation_from_vector(Vec3(0.3, 0.2, 0.1));
     world.add(box_properties(Vec3::Ones(), 1.0, friction, 0.0), Vec3(0.0, 1.2, 0.0), tilt,
               Vec3(1.0, -3.0, 0.5));
-    const std::unique_ptr<Technique> technique = contact_damped();
-    const Course course = run(world, *technique, 3.0);
+    const Course course = run(world, *contact_damped(), 3.0);
     CHECK(course.failed == 0);
     CHECK(world.states()[1].position_w.y() == near(0.5, 1e-4));  // [m] on a face
   }
@@ -128,8 +126,7 @@ TEST_CASE("With sleeping off no body stays asleep", "[unit][contact_damped]") {
   run(world, *contact_damped({{"sleeping", "on"}}), 3.0);
   REQUIRE(world.sleep_states()[1].asleep);
   world.remove(world.ids()[3]);
-  const std::unique_ptr<Technique> technique = contact_damped();
-  const Course course = run(world, *technique, 2.0);
+  const Course course = run(world, *contact_damped(), 2.0);
   CHECK(course.failed == 0);
   CHECK(world.states()[4].position_w.y() == near(3.5, 1e-3));  // came down by one
 }

@@ -84,10 +84,8 @@ double yawed_apart(const Example& example) {
     state.linear_momentum_w = yaw * state.linear_momentum_w;
     state.angular_momentum_w = yaw * state.angular_momentum_w;
   });
-  const std::unique_ptr<Technique> first = contact_damped();
-  const std::unique_ptr<Technique> second = contact_damped();
-  run(world, *first, 100.0 * kFrame);
-  run(other, *second, 100.0 * kFrame);
+  run(world, *contact_damped(), 100.0 * kFrame);
+  run(other, *contact_damped(), 100.0 * kFrame);
   double worst = 0.0;
   for (std::size_t k = 0; k < world.states().size(); ++k)
     worst =
@@ -126,10 +124,8 @@ TEST_CASE("Boxes that meet in free space do the same seen from a moving place",
       state.linear_momentum_w += body.mass * boost;
     });
     const World start = world;
-    const std::unique_ptr<Technique> first = contact_damped();
-    const std::unique_ptr<Technique> second = contact_damped();
-    run(world, *first, 100.0 * kFrame);
-    run(other, *second, 100.0 * kFrame);
+    run(world, *contact_damped(), 100.0 * kFrame);
+    run(other, *contact_damped(), 100.0 * kFrame);
     double worst = 0.0;
     for (std::size_t k = 0; k < world.states().size(); ++k)
       worst = std::max(worst, (other.states()[k].position_w - world.time() * boost -
@@ -205,10 +201,8 @@ TEST_CASE("The order of the bodies does not decide whether a pile stands",
     const std::size_t count = world.bodies().size();
     for (std::size_t k = count - 1; k > 0; --k)
       reversed.add(world.bodies()[k], world.states()[k], world.name(static_cast<int>(k)));
-    const std::unique_ptr<Technique> first = contact_damped();
-    const std::unique_ptr<Technique> second = contact_damped();
-    run(world, *first, 3.0);
-    run(reversed, *second, 3.0);
+    run(world, *contact_damped(), 3.0);
+    run(reversed, *contact_damped(), 3.0);
     double spread = 0.0;
     for (std::size_t k = 1; k < count; ++k)
       spread = std::max(

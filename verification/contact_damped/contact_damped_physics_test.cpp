@@ -68,8 +68,7 @@ TEST_CASE("A box slides equally far in every direction, straight on and without 
     World world = world_of("slide", {{"heading", heading}});
     const Vec3 ahead = world.body("box").velocity_w().normalized();
     const World start = world;
-    const std::unique_ptr<Technique> technique = contact_damped();
-    run(world, *technique, 1.5);
+    run(world, *contact_damped(), 1.5);
     const Vec3 way = world.body("box").state().position_w - start.body("box").state().position_w;
     const double far = way.dot(ahead);
     least = std::min(least, far);
@@ -227,10 +226,9 @@ TEST_CASE(
       const BodyProperties body = box_properties(Vec3::Ones(), 1.0, 0.0, 1.0);
       world.add(body, make_state(body, Vec3(0.0, 0.5 + height, 0.0)), "cube");
       const double energy = energy_of(world).total();
-      const std::unique_ptr<Technique> technique = contact_damped();
       const double fall = std::sqrt(2.0 * height / kGravity);
       const double speed = kGravity * fall;
-      run(world, *technique, 1.9 * fall, dt);
+      run(world, *contact_damped(), 1.9 * fall, dt);
       const double gained = energy_of(world).total() - energy;
       INFO("from " << height << " m, steps of " << dt << " s: gained " << gained << " J");
       // [J] m v g h: gravity's share of the step of the impact, which waits for its end. Measured

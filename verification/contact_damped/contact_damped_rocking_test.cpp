@@ -144,8 +144,7 @@ TEST_CASE("A block falls over if it is pushed faster than its centre needs to pa
       const BodyState start = world.body("block").state();
       const Vec3 from_edge = start.position_w - Vec3(-0.5 * std::stod(c.width), 0.0, 0.0);
       world.set_velocity(*world.find("block"), omega.cross(from_edge), omega);
-      const std::unique_ptr<Technique> technique = contact_damped();
-      run(world, *technique, 4.0, kFrame / 4.0);
+      run(world, *contact_damped(), 4.0, kFrame / 4.0);
       const double tilt = rotation_vector(world.body("block").state().orientation_wb).z();
       INFO(c.width << " by " << c.height << " at " << share);
       // [rad] it rocks, or lies on its side

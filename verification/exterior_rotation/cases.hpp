@@ -3,7 +3,6 @@
 #pragma once
 
 #include "tumble/exterior_rotation/glued.hpp"
-#include "tumble/scenes/library.hpp"
 #include "tumble/scenes/simulation.hpp"
 
 #include "support/changed_world.hpp"

@@ -82,50 +82,7 @@ TEST_CASE("Joints of all kinds give the accelerations of a dense solve", "[exact
 
 TEST_CASE("Balls and hinges in motion give Featherstone's accelerations", "[reference][joints]") {
   for (const int children : {1, 2}) {
-    Random chance(static_cast<std::uint64_t>(children));
-    World world;
-    const BodyProperties wall = fixed_box_properties(Vec3::Ones());
-    world.add(wall, Vec3::Zero());
-    std::vector<HungLink> links;
-    std::vector<Vec3> spin_w{Vec3::Zero()}, speed_w{Vec3::Zero()};
-    for (int k = 1; k <= 20; ++k) {
-      const int parent = k == 1 ? 0 : 1 + (k - 2) / children;
-      const auto p = idx(parent);
-      const BodyState& on = world.states()[p];
-      const Vec3 anchor_w = on.position_w + on.orientation_wb * chance.in_cube(0.5);
-      const Quat turn = chance.orientation();
-      const Vec3 arm_w = chance.in_cube(0.6);
-      const Vec3 turning_w = chance.in_cube(2.0);
-      const bool hinge = k % 2 == 0;
-      spin_w.push_back(spin_w[p] + turning_w);
-      const Vec3 at_anchor_w = speed_w[p] + spin_w[p].cross(anchor_w - on.position_w);
-      speed_w.push_back(at_anchor_w + spin_w.back().cross(arm_w));
-      const BodyProperties box = box_properties(Vec3(1.0, 0.4, 0.7), chance.uniform(0.5, 2.0));
-      const BodyId id = world.add(box, anchor_w + arm_w, turn, speed_w.back(), spin_w.back());
-      world.join(hinge ? JointKind::hinge : JointKind::ball, world.ids()[p], id, anchor_w,
-                 hinge ? turning_w : Vec3(Vec3::Zero()));
-      links.push_back({parent - 1, anchor_w, {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}});
-      if (hinge) links.back().axes_w = {turning_w.normalized()};
-    }
-    std::vector<MovingBody> moving = moving_bodies(world);
-    const std::vector<Spatial> exact =
-        articulated_accelerations(links, {moving.begin() + 1, moving.end()}, world.gravity_w);
-    std::vector<Joint> joints;
-    for (const BodyJoint& joint : world.joints()) joints.push_back(joint_of(world, joint));
-    JointForces forces;
-    std::vector<Wrench> rates;
-    forces.hold(world, moving, joints, rates);
-    double scale = 0.0;
-    for (const Spatial& a : exact) scale = std::max(scale, a.cwiseAbs().maxCoeff());
-    for (std::size_t k = 1; k < moving.size(); ++k) {
-      const MovingBody& m = moving[k];
-      const Vec3& momentum_w = world.states()[k].angular_momentum_w;
-      const Vec3 linear_w = m.inverse_mass.cwiseProduct(rates[k].force_w);
-      const Vec3 angular_w =
-          m.inverse_inertia_w * (rates[k].torque_w - m.angular_velocity_w.cross(momentum_w));
-      CAPTURE(children, k);
-      CHECK((linear_w - exact[k - 1].tail<3>()).norm() < 1e-9 * scale);
-      CHECK((angular_w - exact[k - 1].head<3>()).norm() < 1e-9 * scale);
-    }
+    CAPTURE(children);
+    CHECK(off_featherstone(HungBoxes(idx(children), 20, children, true)) < 1e-9);
   }
 }

@@ -33,10 +33,6 @@ Trajectory boxed(const Trajectory& run, int width, BoxWindow window = BoxWindow:
   return filtered(run, BoxFilter(width, window));
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("The box filter multiplies moves and turns of any frequency by the closed form",
@@ -215,8 +211,8 @@ TEST_CASE("A box filter shows the same orientations for q and -q", "[exact][filt
 TEST_CASE("An even width, none and a huge one are refused with the number", "[unit][filtering]") {
   for (const int width : {0, -1, -5, 2, 4, 1002, 1003, 100001}) {
     const std::string message = refusal_of([&] { BoxFilter filter(width); });
-    CHECK(has(message, "over " + std::to_string(width) + " frames"));
-    CHECK(has(message, "an odd number from 1 to 1001"));
+    CHECK_THAT(message, Contains("over " + std::to_string(width) + " frames"));
+    CHECK_THAT(message, Contains("an odd number from 1 to 1001"));
   }
   CHECK(BoxFilter(1001).frames() == 1001);
 }
@@ -257,9 +253,9 @@ TEST_CASE("A frame after one at another interval is refused, and the filter is a
     const std::unique_ptr<PoseFilter> copy = filter.clone();
     const std::size_t before = seen.size();
     const std::string message = refusal_of([&] { add_at(filter, 10.5 * kFrameTime, 11); });
-    CHECK(has(message, "frame 11 at 0.175 s"));
-    CHECK(has(message, "equal times"));
-    CHECK(has(message, "Keep the step constant"));
+    CHECK_THAT(message, Contains("frame 11 at 0.175 s"));
+    CHECK_THAT(message, Contains("equal times"));
+    CHECK_THAT(message, Contains("Keep the step constant"));
     CHECK(seen.size() == before);
     filter.finish(show);
     const std::vector<BodyState> after(seen.begin() + static_cast<std::ptrdiff_t>(before),
@@ -302,13 +298,14 @@ TEST_CASE("A frame whose ids do not ascend, are not as many as states or come tw
     return refusal_of([&] { filter.add(Frame{time, 0, ids, states}, [](const Frame&) {}); });
   };
   CHECK(message({BodyId{7}, BodyId{9}}, 0.0).empty());
-  CHECK(has(message({BodyId{9}, BodyId{7}}, 0.0), "body with id 7: expected ids that ascend"));
-  CHECK(has(message({BodyId{7}, BodyId{7}}, 0.0), "expected ids that ascend"));
-  CHECK(has(message({BodyId{7}}, 0.0), "1 ids and 2 states"));
-  CHECK(has(message({BodyId{7}, BodyId{9}}, kInfinity), "time of a frame"));
+  CHECK_THAT(message({BodyId{9}, BodyId{7}}, 0.0),
+             Contains("body with id 7: expected ids that ascend"));
+  CHECK_THAT(message({BodyId{7}, BodyId{7}}, 0.0), Contains("expected ids that ascend"));
+  CHECK_THAT(message({BodyId{7}}, 0.0), Contains("1 ids and 2 states"));
+  CHECK_THAT(message({BodyId{7}, BodyId{9}}, kInfinity), Contains("time of a frame"));
   BoxFilter filter(3);
   const std::vector<BodyId> ids = {BodyId{7}, BodyId{9}};
   const auto add = [&] { filter.add(Frame{1.0, 0, ids, states}, [](const Frame&) {}); };
   add();
-  CHECK(has(refusal_of(add), "frame 1 at 1 s: expected a time after 1 s"));
+  CHECK_THAT(refusal_of(add), Contains("frame 1 at 1 s: expected a time after 1 s"));
 }

@@ -24,10 +24,7 @@ inline std::vector<BodyChatter> resting_in_both(const std::vector<BodyChatter>& 
 }
 
 inline double largest(const std::vector<BodyChatter>& bodies, double BodyChatter::*measure) {
-  if (bodies.empty()) return std::numeric_limits<double>::quiet_NaN();
-  double most = 0.0;
-  for (const BodyChatter& body : bodies) most = std::max(most, body.*measure);
-  return most;
+  return bodies.empty() ? std::numeric_limits<double>::quiet_NaN() : largest_of(bodies, measure);
 }
 
 // What became of a scene that should come to rest. The same measure for all techniques:
@@ -93,9 +90,7 @@ inline ChatterRun chatter_of(const Scene& scene, const PlayedTechnique& played, 
     body.amplitude /= static_cast<double>(half_seconds);
     body.acceleration /= static_cast<double>(half_seconds);
   }
-  for (std::size_t k = 0; k < start.size(); ++k)
-    run.displaced =
-        std::max(run.displaced, (now.world().states()[k].position_w - start[k].position_w).norm());
+  run.displaced = farthest_moved(start, now.world().states());
   return run;
 }
 

@@ -5,33 +5,19 @@
 
 using namespace tumble::chapters;
 
-namespace {
-
-// A column of a table.
-std::vector<double> column(const Table& table, const std::string& name) {
-  std::vector<double> values;
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    if (table.columns[c].name == name)
-      for (const auto& row : table.rows) values.push_back(row[c]);
-  REQUIRE(values.size() == table.rows.size());
-  return values;
-}
-
-}  // namespace
-
 TEST_CASE("A wider envelope lets a body that chatters rest for more frames",
           "[claims][filtering]") {
   const FigureUnderTest figure("claim_5_5c_envelope");
   const Table& sweep = figure.result.tables[0];
   for (const std::string whose : {"thesis", "soft"}) {
-    const std::vector<double> still = column(sweep, whose + "_still");
+    const std::vector<double> still = column_of(sweep, whose + "_still");
     CHECK(still.front() < still.back());
     CHECK(std::ranges::all_of(still, [](double s) { return s >= 0.0 && s <= 1.0; }));
   }
   // From its own envelope on the thesis's pops are longer than the envelope, by a corner's way.
-  const std::vector<double> radius = column(sweep, "radius_mm");
-  const std::vector<double> step = column(sweep, "thesis_step_mm");
-  const std::vector<double> pops = column(sweep, "thesis_pops");
+  const std::vector<double> radius = column_of(sweep, "radius_mm");
+  const std::vector<double> step = column_of(sweep, "thesis_step_mm");
+  const std::vector<double> pops = column_of(sweep, "thesis_pops");
   for (std::size_t k = 0; k < radius.size(); ++k)
     if (pops[k] > 0.0) CHECK(step[k] >= 0.8 * radius[k]);
 }
@@ -58,9 +44,9 @@ TEST_CASE("At constant speed all three filters agree with their closed forms",
   CHECK(figure.number("frames from pop to pop of a ramp of 3 mm a frame") == 4.0);
   // Between half the envelope's speed and all of it every other frame is as computed.
   const Table& speeds = figure.result.tables[1];
-  const std::vector<double> speed = column(speeds, "speed");
-  const std::vector<double> exact = column(speeds, "thesis_exact");
-  const std::vector<double> ours = column(speeds, "soft_exact");
+  const std::vector<double> speed = column_of(speeds, "speed");
+  const std::vector<double> exact = column_of(speeds, "thesis_exact");
+  const std::vector<double> ours = column_of(speeds, "soft_exact");
   for (std::size_t k = 0; k < speed.size(); ++k) {
     if (speed[k] > 0.5 && speed[k] < 1.0) CHECK(exact[k] == near(0.5, 1e-9));
     if (speed[k] > 1.0) CHECK(exact[k] == near(1.0, 1e-9));

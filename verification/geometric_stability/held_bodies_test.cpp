@@ -5,13 +5,16 @@
 #include "tumble/analytic_lcp/analytic.hpp"
 
 #include "analytic_lcp/instant.hpp"
+#include "geometric_stability/resting_pile.hpp"
 #include "support/scenes.hpp"
 #include "support/test.hpp"
 
 namespace {
 
-using test::Instant;
+using namespace tumble::chapters;
 using test::kG;
+
+constexpr const char* kSolver = "augmented_lagrangian";
 
 constexpr std::array<StableRule, 3> kRules{StableRule::corners, StableRule::hull,
                                            StableRule::equilibrium};
@@ -42,67 +45,21 @@ World random_courses(Random random) {
   return world;
 }
 
-// The forces of a world at an instant, all at once or without stable boxes.
-struct Found {
-  ForceReport report;
-  std::vector<Acceleration> accelerations;
-  std::vector<Wrench> wrenches;
-  std::vector<char> held;
-};
-
-Found forces_of(const Instant& instant, StableRule rule, const char* solver) {
-  ContactForces forces({.solver = solver, .friction = false, .stable_boxes = rule});
-  ContactList contacts = instant.contacts;
-  Found found{.report = forces.solve(instant.world, instant.bodies, contacts, {})};
-  REQUIRE(found.report.status == LcpStatus::solved);
-  found.accelerations.assign(forces.accelerations().begin(), forces.accelerations().end());
-  found.wrenches.assign(forces.wrenches().begin(), forces.wrenches().end());
-  const std::span<const char> held = forces.held().held();
-  found.held.assign(held.begin(), held.end());
-  return found;
-}
-
-// [m/s²] Upper bound for the points of a body.
-double fastest(const BodyProperties& body, const Vec3& linear_w, const Vec3& angular_w) {
-  return linear_w.norm() + 0.5 * body.size.norm() * angular_w.norm();
-}
-
-struct Difference {
-  double acceleration = 0.0;  // [-] of g, all bodies
-  double wrench = 0.0;        // [-] of a body's weight; torques by half its diagonal, all bodies
-  double held = 0.0;          // [-] of g: acceleration of held bodies in the full system
-};
-
-Difference difference(const Instant& instant, const Found& all, const Found& left) {
-  Difference d;
-  for (int b = 0; b < instant.world.count(); ++b) {
-    const BodyProperties& body = instant.world.bodies()[idx(b)];
-    if (!body.movable()) continue;
-    const Acceleration& a = all.accelerations[idx(b)];
-    const Acceleration& c = left.accelerations[idx(b)];
-    d.acceleration = std::max(
-        d.acceleration, fastest(body, a.linear_w - c.linear_w, a.angular_w - c.angular_w) / kG);
-    const Wrench& w = all.wrenches[idx(b)];
-    const Wrench& u = left.wrenches[idx(b)];
-    const double torque = (w.torque_w - u.torque_w).norm() / (0.5 * body.size.norm());
-    d.wrench = std::max(d.wrench, ((w.force_w - u.force_w).norm() + torque) / (body.mass * kG));
-    if (left.held[idx(b)] != 0)
-      d.held = std::max(d.held, fastest(body, a.linear_w, a.angular_w) / kG);
-  }
-  return d;
-}
-
 // Checks common to all tests of one instant.
-ForceReport check_nothing_changes(const Instant& instant, StableRule rule,
-                                  const char* solver = "augmented_lagrangian") {
-  const Found all = forces_of(instant, StableRule::off, solver);
-  const Found left = forces_of(instant, rule, solver);
-  const Difference d = difference(instant, all, left);
-  CAPTURE(static_cast<int>(rule), d.acceleration, d.wrench, d.held, left.report.stable);
+ForceReport check_nothing_changes(const RestingPile& instant, StableRule rule,
+                                  const char* solver = kSolver) {
+  const RestingForces all = forces_of(instant, solver, StableRule::off);
+  const RestingForces left = forces_of(instant, solver, rule);
+  const ForceChange change = change_of(instant, all, left);
+  double held = 0.0;  // [-] of g: acceleration of held bodies in the full system
+  for (std::size_t b = 0; b < left.held.size(); ++b)
+    if (left.held[b] != 0 && instant.world.bodies()[b].movable())
+      held = std::max(held, fastest_of(instant.world.bodies()[b], all.accelerations[b]) / kG);
+  CAPTURE(static_cast<int>(rule), change.acceleration, change.wrench, held, left.report.stable);
   // [-] measured: 7e-11, 9e-12 and 2e-11.
-  CHECK(d.acceleration <= 1e-9);
-  CHECK(d.wrench <= 1e-9);
-  CHECK(d.held <= 1e-9);
+  CHECK(change.acceleration <= 1e-9);
+  CHECK(change.wrench <= 1e-9);
+  CHECK(held <= 1e-9);
   CHECK(left.report.unknowns <= all.report.unknowns);
   return left.report;
 }
@@ -125,10 +82,10 @@ TEST_CASE("Leaving stable boxes out changes no acceleration", "[exact][geometric
     int tip = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
       CAPTURE(seed);
-      const Instant instant(random_courses(Random(seed)));
+      const RestingPile instant = pile_of(random_courses(Random(seed)));
       for (std::size_t k = 0; k < kRules.size(); ++k)
         left_out[k] += check_nothing_changes(instant, kRules[k]).stable;
-      const Found all = forces_of(instant, StableRule::off, "augmented_lagrangian");
+      const RestingForces all = forces_of(instant, kSolver, StableRule::off);
       tip += std::ranges::any_of(
           all.accelerations, [](const Acceleration& a) { return a.linear_w.norm() > 0.01 * kG; });
     }
@@ -148,7 +105,7 @@ TEST_CASE("Leaving stable boxes out changes no acceleration", "[exact][geometric
         velocity_w.y() = 0.0;
         world.states()[idx(b)].linear_momentum_w = world.bodies()[idx(b)].mass * velocity_w;
       }
-      const Instant instant(world);
+      const RestingPile instant = pile_of(world);
       for (const StableRule rule : kRules) check_nothing_changes(instant, rule);
     }
   }
@@ -156,14 +113,14 @@ TEST_CASE("Leaving stable boxes out changes no acceleration", "[exact][geometric
     for (const char* rows : {"3", "7", "11"})
       for (const char* gap : {"0.05", "0"}) {
         CAPTURE(rows, gap);
-        const Instant instant(world_of("fig5_6", {{"rows", rows}, {"gap", gap}}));
+        const RestingPile instant = pile_of(world_of("fig5_6", {{"rows", rows}, {"gap", gap}}));
         for (const StableRule rule : kRules) check_nothing_changes(instant, rule);
       }
-    const Instant wall(world_of("wall", {{"courses", "6"}, {"bricks", "6"}}));
+    const RestingPile wall = pile_of(world_of("wall", {{"courses", "6"}, {"bricks", "6"}}));
     for (const StableRule rule : kRules) CHECK(check_nothing_changes(wall, rule).stable >= 21);
   }
   SECTION("with the solver of the thesis") {
-    const Instant instant(world_of("fig5_6", {{"rows", "7"}}));
+    const RestingPile instant = pile_of(world_of("fig5_6", {{"rows", "7"}}));
     for (const StableRule rule : kRules) check_nothing_changes(instant, rule, "baraff");
   }
 }
@@ -171,18 +128,17 @@ TEST_CASE("Leaving stable boxes out changes no acceleration", "[exact][geometric
 TEST_CASE("Without its stable boxes the pyramid of figure 5.6 has 112 unknown forces of 184",
           "[exact][geometric_stability]") {
   // Seven rows: 4 points a pair of faces; 15 light boxes on two others each, but for two on one.
-  const Instant instant(world_of("fig5_6", {{"rows", "7"}}));
-  const ForceReport all = forces_of(instant, StableRule::off, "augmented_lagrangian").report;
+  const RestingPile instant = pile_of(world_of("fig5_6", {{"rows", "7"}}));
+  const ForceReport all = forces_of(instant, kSolver, StableRule::off).report;
   CHECK(all.unknowns == 4 * (6 + 2 * 21 - 2));
   CHECK(all.stable == 0);
   for (const StableRule rule : {StableRule::corners, StableRule::hull}) {
-    const ForceReport left = forces_of(instant, rule, "augmented_lagrangian").report;
+    const ForceReport left = forces_of(instant, kSolver, rule).report;
     CHECK(left.unknowns == 4 * (2 * 15 - 2));
     CHECK(left.stable == 12);
   }
   // All of it is in equilibrium.
-  const ForceReport none =
-      forces_of(instant, StableRule::equilibrium, "augmented_lagrangian").report;
+  const ForceReport none = forces_of(instant, kSolver, StableRule::equilibrium).report;
   CHECK(none.unknowns == 0);
   CHECK(none.stable == 27);
 }

@@ -18,7 +18,7 @@ struct Marked {
 
   // After a step: whether the box counts as stable. A sleeping one does: it is as heavy as the ground.
   [[nodiscard]] bool firm(const World& world, BodyId id) const {
-    if (world.sleep_states()[static_cast<std::size_t>(world.index_of(id))].asleep) return true;
+    if (world.body(id).asleep()) return true;
     if (damped != nullptr) {
       const std::span<const BodyId> ids = damped->stable_bodies();
       return std::ranges::find(ids, id) != ids.end();
@@ -67,18 +67,9 @@ void run(Marked& marked, World& world, int steps) {
   for (int k = 0; k < steps; ++k) marked.technique->step(world, kFrame);
 }
 
-const BodyState& state_of(const World& world, BodyId id) {
-  return world.states()[static_cast<std::size_t>(world.index_of(id))];
-}
-
-Vec3 velocity_of(const World& world, BodyId id) {
-  return velocity(world.bodies()[static_cast<std::size_t>(world.index_of(id))],
-                  state_of(world, id));
-}
-
 // [-] Cosine of the tilt of a body that was upright at the start.
 double upright(const World& world, BodyId id) {
-  return state_of(world, id).orientation_wb.toRotationMatrix()(1, 1);
+  return world.body(id).orientation_wb().toRotationMatrix()(1, 1);
 }
 
 // Figure 5.4: a cube on a larger box, which stands on the ground.
@@ -119,12 +110,12 @@ TEST_CASE("Bodies on a removed box fall from the next step on", "[exact][geometr
     CHECK_FALSE(marked.firm(pair.world, pair.upper));
     CHECK_FALSE(pair.world.sleep_states()[1].asleep);
     // [m/s] free fall, without any memory of the support; one rounding in a step
-    CHECK(velocity_of(pair.world, pair.upper).y() == near(-kGravity * kFrame, 1e-14));
+    CHECK(pair.world.body(pair.upper).velocity_w().y() == near(-kGravity * kFrame, 1e-14));
     run(marked, pair.world, 9);
-    CHECK(velocity_of(pair.world, pair.upper).y() == near(-kGravity * 10.0 * kFrame, 1e-13));
+    CHECK(pair.world.body(pair.upper).velocity_w().y() == near(-kGravity * 10.0 * kFrame, 1e-13));
     run(marked, pair.world, 90);
     // [m] On the ground it is stable again; damping may stop it 2 mm above.
-    CHECK(state_of(pair.world, pair.upper).position_w.y() == near(0.5, 2e-3));
+    CHECK(pair.world.body(pair.upper).position_w().y() == near(0.5, 2e-3));
     CHECK(marked.firm(pair.world, pair.upper));
   }
 }
@@ -135,19 +126,19 @@ TEST_CASE("A stable box that is put elsewhere loses its mark and falls, or stand
     Pair pair;
     run(marked, pair.world, 60);
     INFO(marked.words);
-    BodyState state = state_of(pair.world, pair.upper);
+    BodyState state = pair.world.body(pair.upper).state();
     state.position_w.x() = 3.0;  // beside the lower box, in the air
     pair.world.set_state(pair.upper, state);
     run(marked, pair.world, 1);
     CHECK_FALSE(marked.firm(pair.world, pair.upper));
     CHECK(marked.firm(pair.world, pair.lower));
-    CHECK(velocity_of(pair.world, pair.upper).y() == near(-kGravity * kFrame, 1e-14));
+    CHECK(pair.world.body(pair.upper).velocity_w().y() == near(-kGravity * kFrame, 1e-14));
 
     state.position_w = Vec3(0.4, 1.5, 0.3);  // back, at another place
     pair.world.set_state(pair.upper, state);
     run(marked, pair.world, 2);
     CHECK(marked.firm(pair.world, pair.upper));
-    CHECK((state_of(pair.world, pair.upper).position_w - state.position_w).norm() < 1e-12);
+    CHECK((pair.world.body(pair.upper).position_w() - state.position_w).norm() < 1e-12);
   }
 }
 
@@ -190,8 +181,8 @@ TEST_CASE("A stable box slides and spins about the vertical as it would by itsel
       REQUIRE(marked.firm(pair.world, pair.upper) == (rule != StableRule::off));
     }
     INFO(marked.words);
-    const BodyState& state = state_of(pair.world, pair.upper);
-    CHECK((velocity_of(pair.world, pair.upper) - Vec3(0.3, 0.0, 0.1)).norm() < 1e-12);
+    const BodyState& state = pair.world.body(pair.upper).state();
+    CHECK((pair.world.body(pair.upper).velocity_w() - Vec3(0.3, 0.0, 0.1)).norm() < 1e-12);
     CHECK((state.position_w - Vec3(0.15, 1.5, 0.05)).norm() < 1e-12);
     CHECK(state.angular_momentum_w.y() == near(2.0 / 6.0, 1e-12));  // I = m/6
     CHECK(angle_between(state.orientation_wb, Quat::Identity()) == near(1.0, 1e-12));
@@ -218,8 +209,8 @@ TEST_CASE("A bounce on a stable box is not lost", "[exact][geometric_stability]"
         add_box(world, Vec3(0.0, 1.51, 0.0), Vec3::Ones(), 1.0, Vec3(0.0, -2.0, 0.0), 0.9);
     run(marked, world, 1);
     // [m/s] measured 4e-7 off: the time of the impact is searched for
-    CHECK(velocity_of(world, upper).y() == near(expected, 1e-5));
-    CHECK((state_of(world, lower).position_w - Vec3(0.0, 0.5, 0.0)).norm() < 1e-9);
+    CHECK(world.body(upper).velocity_w().y() == near(expected, 1e-5));
+    CHECK((world.body(lower).position_w() - Vec3(0.0, 0.5, 0.0)).norm() < 1e-9);
   }
 }
 
@@ -263,9 +254,9 @@ TEST_CASE("Gravity that turns or ends moves stable boxes as it moves unmarked on
       run(off, unmarked.world, 60);
       unmarked.world.gravity_w = gravity;
       run(off, unmarked.world, 30);
-      const Vec3 place = state_of(pair.world, pair.upper).position_w;
+      const Vec3 place = pair.world.body(pair.upper).position_w();
       // [m] rounding; damped, 1 mm: unmarked, the single contact point tips a box slightly
-      CHECK((place - state_of(unmarked.world, unmarked.upper).position_w).norm() <
+      CHECK((place - unmarked.world.body(unmarked.upper).position_w()).norm() <
             (marked.damped != nullptr ? 1e-3 : 1e-9));
       if (gravity.y() > 0.0) CHECK(place.y() > 2.6);  // half g t² is 1.2
       if (gravity.x() > 0.0) CHECK(place.x() > 0.05);

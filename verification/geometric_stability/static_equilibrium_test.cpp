@@ -2,6 +2,7 @@
 /// \brief Static equilibrium: closed forms, certificates, friction, errors, scales, orders.
 #include "tumble/geometric_stability/static_equilibrium.hpp"
 
+#include "geometric_stability/balance_probe.hpp"
 #include "support/test.hpp"
 #include "support/touching.hpp"
 
@@ -27,17 +28,6 @@ struct WeighedPile : Pile {
     return equilibrium.solve(world, task(friction_edges)).balanced;
   }
 };
-
-// The value at which a verdict changes, by bisection.
-double limit(const std::function<bool(double)>& stands, double falls, double holds) {
-  REQUIRE(!stands(falls));
-  REQUIRE(stands(holds));
-  for (int k = 0; k < 60; ++k) {
-    const double middle = 0.5 * (falls + holds);
-    (stands(middle) ? holds : falls) = middle;
-  }
-  return holds;
-}
 
 // Separation velocity of two bodies at a point, which contacts keep from being negative.
 double parting(const WeighedPile& pile, const StaticEquilibrium& found, const Contact& contact,
@@ -187,8 +177,9 @@ TEST_CASE("Equilibrium with friction finds a leaning plank's limit up to the err
     for (const int edges : {4, 8, 16}) {
       INFO(degrees << " degrees, " << edges << " edges");
       const auto least = [&](double turn) {
-        return limit([&](double mu) { return leaning_plank(degrees, mu, turn).balanced(edges); },
-                     1e-3, 10.0);
+        return chapters::threshold(
+            [&](double mu) { return leaning_plank(degrees, mu, turn).balanced(edges); }, 1e-3,
+            10.0);
       };
       CHECK(least(0.0) == near(needed, 1e-7 * needed));
       const double between = needed / std::cos(kPi / edges);
@@ -228,8 +219,8 @@ TEST_CASE("Thresholds of equilibrium do not depend on the units of length and ma
   for (const double length : {1e-3, 1.0, 1e3})
     for (const double mass : {1e-6, 1.0, 1e6}) {
       INFO("lengths times " << length << ", masses times " << mass);
-      const double found =
-          limit([&](double ratio) { return heavy_top_stands(ratio, length, mass); }, 0.1, 10.0);
+      const double found = chapters::threshold(
+          [&](double ratio) { return heavy_top_stands(ratio, length, mass); }, 0.1, 10.0);
       CHECK(found == near(70.0 / 93.0, 1e-8));
     }
 }

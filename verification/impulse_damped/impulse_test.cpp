@@ -14,14 +14,6 @@ BodyId add_cube(World& world, const Vec3& position_w, const Vec3& velocity_w = V
                    Quat::Identity(), velocity_w);
 }
 
-Vec3 velocity_of(const World& world, std::size_t k) {
-  return velocity(world.bodies()[k], world.states()[k]);
-}
-
-Vec3 spin_of(const World& world, std::size_t k) {
-  return angular_velocity(world.bodies()[k], world.states()[k]);
-}
-
 ImpulseOptions with(ImpulsePoints points) { return ImpulseOptions{.points = points}; }
 
 constexpr std::array<ImpulsePoints, 2> kBoth = {ImpulsePoints::area, ImpulsePoints::one};
@@ -76,8 +68,9 @@ TEST_CASE("A cube that lands flat by impulses leaves without turning",
     const StepReport report = technique.step(world, kFrame);
     CHECK(report.events == 1);
     // e · 2 m/s up, less gravity's share of the step, which comes after collisions.
-    CHECK(velocity_of(world, 1).y() == near(1.8 - kGravity * kFrame, 1e-12));
-    CHECK(spin_of(world, 1).norm() < 1e-12);  // [rad/s] one corner would give 2.85 about two axes
+    CHECK(BodyView(world, 1).velocity_w().y() == near(1.8 - kGravity * kFrame, 1e-12));
+    CHECK(BodyView(world, 1).angular_velocity_w().norm() <
+          1e-12);  // [rad/s] one corner would give 2.85 about two axes
   }
 }
 
@@ -92,7 +85,7 @@ TEST_CASE("A bouncing box loses the square of restitution in height, and stops b
   double before = 0.0;
   for (int k = 0; k < 300; ++k) {
     const StepReport report = technique.step(world, kFrame);
-    const double speed = velocity_of(world, 1).y();
+    const double speed = BodyView(world, 1).velocity_w().y();
     if (report.events > 0) {
       ++bounces;
       // The law holds for each: the separation speed is e times the speed that the step began with,
@@ -122,9 +115,9 @@ TEST_CASE("In Newton's cradle by impulses the last ball leaves",
   add_cube(world, Vec3(1.0, 0.0, 0.0), Vec3::Zero(), 0.0, 1.0);
   Impulse technique(posed<ImpulseOptions>());
   run(world, technique, 1);
-  CHECK(velocity_of(world, 0).x() == near(0.0, 1e-12));
-  CHECK(velocity_of(world, 1).x() == near(0.0, 1e-12));
-  CHECK(velocity_of(world, 2).x() == near(1.0, 1e-12));
+  CHECK(BodyView(world, 0).velocity_w().x() == near(0.0, 1e-12));
+  CHECK(BodyView(world, 1).velocity_w().x() == near(0.0, 1e-12));
+  CHECK(BodyView(world, 2).velocity_w().x() == near(1.0, 1e-12));
 }
 
 TEST_CASE("A pair that others press together again in one event parts as the event asks for",
@@ -163,7 +156,7 @@ TEST_CASE("Bodies that overlap and part already get no impulse",
   Impulse technique(posed<ImpulseOptions>());
   const StepReport report = technique.step(world, kFrame);
   CHECK(report.impulses == 0);
-  CHECK(velocity_of(world, 1).x() == near(0.5, 0.0));
+  CHECK(BodyView(world, 1).velocity_w().x() == near(0.5, 0.0));
   CHECK(report.deepest_overlap == near(0.1 - kFrame, 1e-12));  // [m] it is not pushed apart
 }
 
@@ -225,7 +218,7 @@ TEST_CASE("What rests by impulses falls asleep if asked to, and wakes when it is
   world.push(top, Vec3(3.0, 0.0, 0.0), Vec3(0.0, 1.5, 0.0));
   technique.step(world, kFrame);
   CHECK(!world.sleep_states()[2].asleep);
-  CHECK(velocity_of(world, 2).x() > 1.0);
+  CHECK(BodyView(world, 2).velocity_w().x() > 1.0);
   add_cube(world, Vec3(5.0, 0.5, 0.0));
   run(world, technique, 1);
   CHECK(fastest(world) > 1.0);

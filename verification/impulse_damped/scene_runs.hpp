@@ -8,11 +8,11 @@
 #include "tumble/techniques.hpp"
 
 #include "support/pose.hpp"
+#include "support/runs.hpp"
 #include "support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <string_view>
 
@@ -38,24 +38,6 @@ struct Course {
   double fastest = 0.0;   // [m/s] largest speed of a centre at the end of a step
   int not_finite = 0;     // steps after which a position was no number
 };
-
-// How fast the fastest centre is [m/s].
-inline double fastest_of(const World& world) {
-  double speed = 0.0;
-  for (std::size_t k = 0; k < world.bodies().size(); ++k)
-    speed = std::max(speed, velocity(world.bodies()[k], world.states()[k]).norm());
-  return speed;
-}
-
-// The largest distance between the places of the same body in two worlds [m]: infinite if a place is no number.
-inline double distance_of(const World& a, const World& b) {
-  double worst = 0.0;
-  for (std::size_t k = 0; k < a.states().size(); ++k) {
-    const double far = (a.states()[k].position_w - b.states()[k].position_w).norm();
-    worst = std::max(worst, std::isfinite(far) ? far : std::numeric_limits<double>::infinity());
-  }
-  return worst;
-}
 
 // The largest angle between the orientations of the same body in two worlds [rad].
 inline double turned_most_of(const World& a, const World& b) {

@@ -4,6 +4,7 @@
 
 #include "tumble/math/enumeration.hpp"
 
+#include "lcp_solvers/lcp_cases.hpp"
 #include "support/dense_solve.hpp"
 #include "support/test.hpp"
 
@@ -12,22 +13,11 @@ namespace {
 // A residual of 1e-12 is rounding of small well-scaled problems (measured: below 1e-15).
 constexpr double rounding = 1e-12;
 
-VecX vector(std::initializer_list<double> values) {
-  VecX v(static_cast<Eigen::Index>(values.size()));
-  Eigen::Index i = 0;
-  for (const double value : values) v[i++] = value;
-  return v;
-}
+VecX vector(const std::vector<double>& values) { return view(values); }
 
-MatX square(std::initializer_list<double> rows) {
-  const auto n = static_cast<Eigen::Index>(std::lround(std::sqrt(double(rows.size()))));
-  MatX m(n, n);
-  Eigen::Index k = 0;
-  for (const double value : rows) {
-    m(k / n, k % n) = value;
-    ++k;
-  }
-  return m;
+MatX square(const std::vector<double>& rows) {
+  const auto n = std::lround(std::sqrt(double(rows.size())));
+  return view(rows).reshaped(n, n).transpose();
 }
 
 ComplementarityResult solved(const MatX& A, const VecX& b) {
@@ -35,13 +25,6 @@ ComplementarityResult solved(const MatX& A, const VecX& b) {
   ComplementarityResult result;
   solver.solve(A, b, result);
   return result;
-}
-
-bool near(const std::vector<double>& got, const VecX& want, double tolerance) {
-  if (static_cast<Eigen::Index>(got.size()) != want.size()) return false;
-  for (Eigen::Index i = 0; i < want.size(); ++i)
-    if (!(std::abs(got[static_cast<std::size_t>(i)] - want[i]) <= tolerance)) return false;
-  return true;
 }
 
 }  // namespace
@@ -63,7 +46,7 @@ TEST_CASE("A family that takes other methods 2^n pivots takes one here", "[exact
   const ComplementarityResult result = solved(A, VecX::Constant(n, -1.0));
   CHECK(result.status == ComplementarityStatus::solved);
   CHECK(result.pivots == 1);
-  CHECK(near(result.f, vector({1, 0, 0, 0, 0, 0, 0, 0}), rounding));
+  CHECK(near(result.f, {1, 0, 0, 0, 0, 0, 0, 0}, rounding));
 }
 
 namespace {
@@ -197,17 +180,17 @@ TEST_CASE("A wrong warm start costs pivots but not the answer", "[unit][lcp]") {
   const std::vector<int> all{2, 1, 0};
   solver.solve(A, b, result, all);
   CHECK(result.status == ComplementarityStatus::solved);
-  CHECK(near(result.f, vector({0.5, 0, 0.5}), rounding));
+  CHECK(near(result.f, {0.5, 0, 0.5}, rounding));
   CHECK(result.pushing == std::vector<int>{0, 2});
   solver.solve(A, b, result, result.pushing);
   CHECK(result.pivots == 0);
-  CHECK(near(result.f, vector({0.5, 0, 0.5}), rounding));
+  CHECK(near(result.f, {0.5, 0, 0.5}, rounding));
 
   // Dependent contacts in the start are left out.
   const std::vector<int> both{0, 1};
   solver.solve(square({1, 1, 1, 1}), vector({-1, -1}), result, both);
   CHECK(result.status == ComplementarityStatus::solved);
-  CHECK(near(result.a, vector({0, 0}), rounding));
+  CHECK(near(result.a, {0, 0}, rounding));
 }
 
 TEST_CASE("The solver does not mind the unit of force or acceleration", "[unit][lcp]") {

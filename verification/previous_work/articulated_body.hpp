@@ -5,9 +5,9 @@
 /// 1983. Spatial vectors have the angular part first and refer to the origin of the world.
 #pragma once
 
-#include "tumble/contact/moving_body.hpp"
+#include "tumble/exterior_rotation/joint_forces.hpp"
 
-#include <vector>
+#include "support/test.hpp"
 
 namespace tumble::test {
 
@@ -100,6 +100,63 @@ inline std::vector<Spatial> articulated_accelerations(const std::vector<HungLink
         turn.cross(bodies[i].position_w) + bodies[i].angular_velocity_w.cross(bodies[i].velocity_w);
   }
   return result;
+}
+
+// Boxes that hang on a wall in a chain or a tree, in motion, by balls and, if asked, every second one by a hinge.
+struct HungBoxes {
+  World world;
+  std::vector<Joint> joints;
+  std::vector<HungLink> links;  // without the wall
+
+  // children: joints of each box but those at the ends
+  HungBoxes(std::uint64_t seed, int count, int children, bool hinges) {
+    Random chance(seed);
+    const BodyProperties wall = fixed_box_properties(Vec3::Ones());
+    world.add(wall, Vec3::Zero());
+    std::vector<Vec3> spin_w{Vec3::Zero()}, speed_w{Vec3::Zero()};
+    for (int k = 1; k <= count; ++k) {
+      const int parent = k == 1 ? 0 : 1 + (k - 2) / children;
+      const auto p = idx(parent);
+      const BodyState& on = world.states()[p];
+      const Vec3 anchor_w = on.position_w + on.orientation_wb * chance.in_cube(0.5);
+      const Quat turn = chance.orientation();
+      const Vec3 arm_w = chance.in_cube(0.6);
+      const Vec3 turning_w = chance.in_cube(2.0);
+      const bool hinge = hinges && k % 2 == 0;
+      spin_w.push_back(hinge ? Vec3(spin_w[p] + turning_w) : turning_w);
+      const Vec3 at_anchor_w = speed_w[p] + spin_w[p].cross(anchor_w - on.position_w);
+      speed_w.push_back(at_anchor_w + spin_w.back().cross(arm_w));
+      const BodyProperties box = box_properties(Vec3(1.0, 0.4, 0.7), chance.uniform(0.5, 2.0));
+      const BodyId id = world.add(box, anchor_w + arm_w, turn, speed_w.back(), spin_w.back());
+      world.join(hinge ? JointKind::hinge : JointKind::ball, world.ids()[p], id, anchor_w,
+                 hinge ? turning_w : Vec3(Vec3::Zero()));
+      joints.push_back(joint_of(world, world.joints().back()));
+      links.push_back({parent - 1, anchor_w, {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}});
+      if (hinge) links.back().axes_w = {turning_w.normalized()};
+    }
+  }
+};
+
+// How far the accelerations of JointForces are off Featherstone's [-], over the largest of those.
+inline double off_featherstone(const HungBoxes& hung) {
+  std::vector<MovingBody> moving = moving_bodies(hung.world);
+  const std::vector<Spatial> exact = articulated_accelerations(
+      hung.links, {moving.begin() + 1, moving.end()}, hung.world.gravity_w);
+  JointForces forces;
+  std::vector<Wrench> rates;
+  forces.hold(hung.world, moving, hung.joints, rates);
+  double scale = 0.0, off = 0.0;
+  for (std::size_t k = 1; k < moving.size(); ++k) {
+    const MovingBody& m = moving[k];
+    const Vec3& momentum_w = hung.world.states()[k].angular_momentum_w;
+    const Vec3 linear_w = m.inverse_mass.cwiseProduct(rates[k].force_w);
+    const Vec3 angular_w =
+        m.inverse_inertia_w * (rates[k].torque_w - m.angular_velocity_w.cross(momentum_w));
+    scale = std::max(scale, exact[k - 1].cwiseAbs().maxCoeff());
+    off = std::max({off, (linear_w - exact[k - 1].tail<3>()).norm(),
+                    (angular_w - exact[k - 1].head<3>()).norm()});
+  }
+  return off / scale;
 }
 
 }  // namespace tumble::test

@@ -179,8 +179,7 @@ TEST_CASE("A chain that is replayed from its table goes on as if it had never en
   for (int k = 0; k < 80; ++k) whole.take(whole.propose(three_motions));
   for (const std::size_t cut : {0U, 1U, 33U, 79U}) {
     const Folder folder("noise_chain");
-    std::filesystem::create_directories(folder.path);
-    std::ofstream(folder.path / "chain.csv") << chain_table(whole.proposals().first(cut));
+    std::ofstream(folder.file("chain.csv")) << chain_table(whole.proposals().first(cut));
     NoiseChain again(Random(7), 2.0);
     again.replay(read_chain(folder.path / "chain.csv"));
     if (cut > 0) again.take(again.propose(three_motions));  // recalls its motion
@@ -244,15 +243,15 @@ TEST_CASE("Tables and replays that cannot be of a chain are refused", "[unit][sa
   CHECK_THROWS_WITH(other.take(other.propose(no_luck)), Contains("go on with the scene"));
 
   const Folder folder("chain_table");
-  std::filesystem::create_directories(folder.path);
+  const std::filesystem::path file = folder.file("chain.csv");
   const std::string head = chain_table({});
   for (const char* row :
        {"1,all,0,0,0,1,0,1\n", "0,any,0,0,0,1,0,1\n", "0,all,0,0,0,2,0,1\n", "0,all,0,0,0,1,-1,1\n",
         "0,all,0,0,0,1,nan,1\n", "0,all,0,0,0,1\n", "0,all,0,0,-1,1,0,1\n"}) {
-    std::ofstream(folder.path / "chain.csv") << head << row;
+    std::ofstream(file) << head << row;
     INFO(row);
-    CHECK_THROWS_WITH(read_chain(folder.path / "chain.csv"), Contains("chain.csv:2: "));
+    CHECK_THROWS_WITH(read_chain(file), Contains("chain.csv:2: "));
   }
-  std::ofstream(folder.path / "chain.csv") << "time_s,body\n";
-  CHECK_THROWS_WITH(read_chain(folder.path / "chain.csv"), Contains("chain.csv:1: "));
+  std::ofstream(file) << "time_s,body\n";
+  CHECK_THROWS_WITH(read_chain(file), Contains("chain.csv:1: "));
 }

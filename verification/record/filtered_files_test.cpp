@@ -78,12 +78,11 @@ TEST_CASE("The filtered trajectory has the filter's poses, the same rows and com
       INFO(filter << ", every " << every);
       const Folder folder("filtered_poses");
       const Scene scene = dice();
-      const auto technique = make_technique("contact_damped");
       Recorder recorder(every);
       const RunDescription d = description(filter, every);
       RunFiles files(folder.path, d, scene);
       const std::array<RunObserver*, 2> observers = {&files, &recorder};
-      files.finish(run_scene(scene, *technique, d.run, observers));
+      files.finish(run_scene(scene, *make_technique("contact_damped"), d.run, observers));
       CHECK(files.filter_refusal().empty());
 
       const Trajectory shown = filtered(recorder.frames, *filter_of(filter));
@@ -117,9 +116,8 @@ TEST_CASE("The filtered trajectory has the filter's poses, the same rows and com
       }
       if (every == 1) CHECK(different > 0);  // between far frames an envelope is left each time
       const std::string summary = content(folder.path / "summary.json");
-      CHECK(summary.find("\"filter\": \"" + filter + "\"") != std::string::npos);
-      CHECK(summary.find("\"filtered_frames\": " + std::to_string(shown.count()) + ",") !=
-            std::string::npos);
+      CHECK_THAT(summary, Contains("\"filter\": \"" + filter + "\""));
+      CHECK_THAT(summary, Contains("\"filtered_frames\": " + std::to_string(shown.count()) + ","));
     }
 }
 

@@ -11,6 +11,8 @@
 
 namespace {
 
+using Catch::Matchers::StartsWith;
+
 // Moves all bodies as if there were no contacts.
 class Ghosts : public Cloned<Technique, Ghosts> {
  public:
@@ -53,6 +55,14 @@ RunResult ran(const Scene& scene, double gain = 1.0) {
   return run_scene(scene, ghosts, {.dt = 0.1, .duration = 1.0}, {});
 }
 
+// It has one finding, and what that has to say.
+template <class Matcher>
+void check_found(const RunResult& run, StepStatus worst, const Matcher& says) {
+  CHECK(run.worst == worst);
+  REQUIRE(run.findings.size() == 1);
+  CHECK_THAT(run.findings[0], says);
+}
+
 Scene two(const Vec3& second_w, const Vec3& first_velocity_w, const Vec3& second_velocity_w) {
   Scene scene{.gravity_w = Vec3::Zero()};
   scene.boxes = {cube("left", Vec3(-2.2, 0.0, 0.0), first_velocity_w),
@@ -88,10 +98,8 @@ Scene spinning_plate() {
 TEST_CASE("A body that goes through another one within a step is found", "[unit][record][run]") {
   // 4 m in a step: from 2.2 m left of the middle to 1.8 m right of it.
   const Vec3 fast(40.0, 0.0, 0.0);
-  const RunResult through = ran(two(Vec3(0.0, 0.5, 0.3), fast, Vec3::Zero()));
-  CHECK(through.worst == StepStatus::passed_through);
-  REQUIRE(through.findings.size() == 1);
-  CHECK(through.findings[0].find("step 1 at 0.1 s: left went through right") == 0);
+  check_found(ran(two(Vec3(0.0, 0.5, 0.3), fast, Vec3::Zero())), StepStatus::passed_through,
+              StartsWith("step 1 at 0.1 s: left went through right"));
 
   const RunResult meeting = ran(two(Vec3(0.5, 0.5, 0.0), 0.5 * fast, -0.5 * fast));
   CHECK(meeting.worst == StepStatus::passed_through);
@@ -143,10 +151,8 @@ TEST_CASE("A body that a step leaves inside another one, and the next one beyond
           "[unit][record][run]") {
   // 2.2 m in a step: wholly inside after the first, and 2.2 m beyond after the second.
   const Scene beyond = two(Vec3::Zero(), Vec3(22.0, 0.0, 0.0), Vec3::Zero());
-  const RunResult through = ran(beyond);
-  CHECK(through.worst == StepStatus::passed_through);
-  REQUIRE(through.findings.size() == 1);
-  CHECK(through.findings[0].find("step 2 at 0.2 s: left went through right") == 0);
+  check_found(ran(beyond), StepStatus::passed_through,
+              StartsWith("step 2 at 0.2 s: left went through right"));
 
   // Two that cross at right angles, and are in one place after the second step.
   Scene crossing = two(Vec3(0.0, 0.0, -2.2), Vec3(11.0, 0.0, 0.0), Vec3(0.0, 0.0, 11.0));
@@ -162,10 +168,8 @@ TEST_CASE("A body that a step leaves inside another one, and the next one beyond
 TEST_CASE("A body that goes through another one slowly is found, one that comes out again is not",
           "[unit][record][run]") {
   // 0.4 m in a step, six steps from one side to the other.
-  const RunResult through = ran(two(Vec3::Zero(), Vec3(4.0, 0.0, 0.0), Vec3::Zero()));
-  CHECK(through.worst == StepStatus::passed_through);
-  REQUIRE(through.findings.size() == 1);
-  CHECK(through.findings[0].find("left went through right") != std::string::npos);
+  check_found(ran(two(Vec3::Zero(), Vec3(4.0, 0.0, 0.0), Vec3::Zero())), StepStatus::passed_through,
+              Contains("left went through right"));
 
   // To and fro, 0.3 m in and out again.
   Scene back = two(Vec3::Zero(), Vec3(-5.0, 0.0, 0.0), Vec3::Zero());
@@ -240,10 +244,8 @@ TEST_CASE("A body that is stopped far from what stops it is found", "[unit][reco
   RunSettings settings{.duration = 0.2};
   for (const std::string_view technique : {"impulse", "damped"}) {
     CAPTURE(technique);
-    const RunResult away = run_scene(scene, *make_technique(technique), settings, {});
-    CHECK(away.worst == StepStatus::held_by_nothing);
-    REQUIRE(away.findings.size() == 1);
-    CHECK(away.findings[0].find("step 6 at 0.1 s: cube was hit 16") == 0);
+    check_found(run_scene(scene, *make_technique(technique), settings, {}),
+                StepStatus::held_by_nothing, StartsWith("step 6 at 0.1 s: cube was hit 16"));
   }
   for (const std::string_view technique :
        {"contact_damped", "time_stepping", "analytic", "timewarp_swept", "timewarp_full",
@@ -272,10 +274,7 @@ TEST_CASE("Energy that nothing in the scene can add is found", "[unit][record][r
   const Scene scene = two(Vec3(0.0, 5.0, 0.0), Vec3(1.0, 0.0, 0.0), Vec3::Zero());
   CHECK(ran(scene, 1.0004).worst == StepStatus::done);          // 0.8 % in ten steps
   CHECK(ran(scene, 1.001).worst == StepStatus::energy_gained);  // 2 %, and nothing is booked
-  const RunResult gained = ran(scene, 1.01);
-  CHECK(gained.worst == StepStatus::energy_gained);
-  REQUIRE(gained.findings.size() == 1);
-  CHECK(gained.findings[0].find("left gained") != std::string::npos);
+  check_found(ran(scene, 1.01), StepStatus::energy_gained, Contains("left gained"));
 }
 
 TEST_CASE("A body that is left deep in another one when a run ends is found",
@@ -285,11 +284,8 @@ TEST_CASE("A body that is left deep in another one when a run ends is found",
     return ran(two(Vec3(0.0, 0.2, 0.0), Vec3(x + 2.2, 0.0, 0.0), Vec3::Zero()));
   };
   CHECK(end_at(-0.92).worst == StepStatus::done);
-  const RunResult left = end_at(-0.85);
-  CHECK(left.worst == StepStatus::passed_through);
-  REQUIRE(left.findings.size() == 1);
-  CHECK(left.findings[0].find("left is left 0.15 m deep in another body, 15 %") !=
-        std::string::npos);
+  check_found(end_at(-0.85), StepStatus::passed_through,
+              Contains("left is left 0.15 m deep in another body, 15 %"));
 }
 
 TEST_CASE("A body that hangs in the air is found, one that rests or is thrown is not",
@@ -301,10 +297,8 @@ TEST_CASE("A body that hangs in the air is found, one that rests or is thrown is
   CHECK(ran(scene).worst == StepStatus::done);  // each is near what may hold it
   scene.boxes[0].position_w.y() = 0.65;
   scene.boxes[1].position_w.y() = 1.7;
-  const RunResult hung = ran(scene);
-  CHECK(hung.worst == StepStatus::held_by_nothing);
-  REQUIRE(hung.findings.size() == 1);
-  CHECK(hung.findings[0].find("step 3 at 0.3 s: low hangs in the air") == 0);
+  check_found(ran(scene), StepStatus::held_by_nothing,
+              StartsWith("step 3 at 0.3 s: low hangs in the air"));
   scene.gravity_w.setZero();
   CHECK(ran(scene).worst == StepStatus::done);
 
@@ -326,11 +320,8 @@ TEST_CASE("A turn of more than a radian in a step is named with a step that woul
           "[unit][record][run]") {
   Scene scene = two(Vec3(0.0, 5.0, 0.0), Vec3::Zero(), Vec3::Zero());
   scene.boxes[1].angular_velocity_w = Vec3(0.0, 20.0, 0.0);
-  const RunResult turned = ran(scene);
-  CHECK(turned.worst == StepStatus::done);
-  REQUIRE(turned.findings.size() == 1);
-  CHECK(turned.findings[0].find("right rotates by 2 rad") != std::string::npos);
-  CHECK(turned.findings[0].find("--dt 0.025") != std::string::npos);
+  check_found(ran(scene), StepStatus::done,
+              Contains("right rotates by 2 rad") && Contains("--dt 0.025"));
   scene.boxes[1].angular_velocity_w = Vec3(0.0, 9.9, 0.0);
   CHECK(ran(scene).findings.empty());
 }

@@ -156,43 +156,36 @@ TEST_CASE("A run ends at a step that solved nothing or made a number infinite",
   }
 }
 
-TEST_CASE("A later step that the technique refuses ends the run and keeps what was before",
+TEST_CASE("A step that is refused or breaks off ends the run and keeps what was before",
           "[unit][record][run]") {
-  for (const int refused : {1, 3}) {
-    Puppet puppet;
-    puppet.act = [&](World&, int k) -> StepReport {
-      if (k == refused) refuse_step("stiffness = 1e9");
-      return {};
-    };
-    Counter counter;
-    const std::array<RunObserver*, 1> observers = {&counter};
-    if (refused == 1) {
-      CHECK_THROWS_AS(run_scene(one_box(), puppet, settings_of(0.1, 1.0), observers), StepRefused);
-      CHECK(counter.steps == 0);
-      continue;
+  for (const bool refused : {false, true}) {
+    for (const int last : {1, 3}) {
+      CAPTURE(refused, last);
+      Puppet puppet;
+      puppet.act = [&](World&, int k) -> StepReport {
+        if (k == last && refused) refuse_step("stiffness = 1e9");
+        if (k == last) throw std::invalid_argument("state of box1 is not finite");
+        return {};
+      };
+      Counter counter;
+      const std::array<RunObserver*, 1> observers = {&counter};
+      const auto run = [&] {
+        return run_scene(one_box(), puppet, settings_of(0.1, 1.0), observers);
+      };
+      if (refused && last == 1) {  // nothing has been done yet
+        CHECK_THROWS_AS(run(), StepRefused);
+        CHECK(counter.steps == 0);
+        continue;
+      }
+      const RunResult result = run();
+      CHECK(result.end == RunEnd::failed);
+      CHECK(result.worst == StepStatus::unsolved);
+      CHECK(result.refusal ==
+            (refused ? "tumble: stiffness = 1e9" : "state of box1 is not finite"));
+      CHECK(result.steps == last - 1);
+      CHECK(counter.steps == last - 1);
+      CHECK(!puppet.is_watched());
     }
-    const RunResult result = run_scene(one_box(), puppet, settings_of(0.1, 1.0), observers);
-    CHECK(result.end == RunEnd::failed);
-    CHECK(result.worst == StepStatus::unsolved);
-    CHECK(result.refusal == "tumble: stiffness = 1e9");
-    CHECK(result.steps == 2);
-    CHECK(counter.steps == 2);
-    CHECK(!puppet.is_watched());
-  }
-}
-
-TEST_CASE("A step that breaks off ends the run, the first one too", "[unit][record][run]") {
-  for (const int broken : {1, 3}) {
-    Puppet puppet;
-    puppet.act = [&](World&, int k) -> StepReport {
-      if (k == broken) throw std::invalid_argument("state of box1 is not finite");
-      return {};
-    };
-    const RunResult result = run_scene(one_box(), puppet, settings_of(0.1, 1.0), {});
-    CHECK(result.end == RunEnd::failed);
-    CHECK(result.worst == StepStatus::unsolved);
-    CHECK(result.refusal == "state of box1 is not finite");
-    CHECK(result.steps == broken - 1);
   }
 }
 

@@ -8,7 +8,6 @@
 #include "support/test.hpp"
 
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <sys/resource.h>
 
@@ -27,14 +26,6 @@ TEST_CASE(
   CHECK(content(path) ==
         "number,text,whole\n0.1,plain,-3\n"
         "0.3333333333333333,\"a \"\"quoted\"\", text\",4\n");
-}
-
-TEST_CASE("A number that is none is written alike on every machine", "[unit][record]") {
-  CHECK(shortest_text(kNan) == "nan");
-  CHECK(shortest_text(-kNan) == "nan");
-  CHECK(shortest_text(-kInfinity) == "-inf");
-  CHECK(shortest_text(-0.0) == "-0");
-  CHECK(std::strtod(shortest_text(5e-324).c_str(), nullptr) == 5e-324);
 }
 
 TEST_CASE("A file that cannot be written ends in an error that names it", "[unit][record]") {
@@ -105,13 +96,15 @@ TEST_CASE("A disk that fills up leaves whole rows, and nothing is written after 
 TEST_CASE("JSON is written with commas, escapes and null for what is no number", "[unit][record]") {
   Json json;
   json.begin().field("name", std::string_view("a\"b\\c\n")).field("x", 0.5);
-  json.field("nan", kNan).field("count", std::int64_t{7});
-  json.key("list").begin_list().item("one").item(2.0).end_list();
+  json.field("nan", kNan).field("inf", kInfinity).field("count", std::int64_t{7});
+  json.key("list").begin_list().item("one").item(1.0 / 3.0).end_list();
   json.key("empty").begin().end();
   json.end();
-  CHECK(json.text() ==
-        "{\n  \"name\": \"a\\\"b\\\\c\\u000a\",\n  \"x\": 0.5,\n  \"nan\": null,\n"
-        "  \"count\": 7,\n  \"list\": [\n    \"one\",\n    2\n  ],\n  \"empty\": {}\n}\n");
+  CHECK(
+      json.text() ==
+      "{\n  \"name\": \"a\\\"b\\\\c\\u000a\",\n  \"x\": 0.5,\n  \"nan\": null,\n  \"inf\": null,\n"
+      "  \"count\": 7,\n  \"list\": [\n    \"one\",\n    0.3333333333333333\n  ],\n  \"empty\": "
+      "{}\n}\n");
 }
 
 TEST_CASE("Text in JSON may have every character", "[unit][record]") {
@@ -127,13 +120,4 @@ TEST_CASE("Text in JSON may have every character", "[unit][record]") {
   int control = 0;
   for (const char c : text) control += static_cast<unsigned char>(c) < 0x20U && c != '\n' ? 1 : 0;
   CHECK(control == 0);
-}
-
-TEST_CASE("Numbers in JSON read back to the same bits, and infinity is null", "[unit][record]") {
-  Json json;
-  json.begin_list().item(1.0 / 3.0).item(1e300).item(5e-324).item(-0.0);
-  json.item(kInfinity).end_list();
-  CHECK(json.text() ==
-        "[\n  0.3333333333333333,\n  1e+300,\n  5e-324,\n"
-        "  -0,\n  null\n]\n");
 }

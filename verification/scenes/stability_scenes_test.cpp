@@ -1,6 +1,5 @@
 /// \file
 /// \brief Scenes of geometric stability: names, numbers of boxes, which box is over which, refusals.
-#include "tumble/base/error.hpp"
 
 #include "support/scenes.hpp"
 #include "support/test.hpp"

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace tumble::test {
@@ -33,6 +34,24 @@ inline double fastest(const World& world) {
     speed = std::max({speed, velocity(world.bodies()[k], world.states()[k]).norm(),
                       angular_velocity(world.bodies()[k], world.states()[k]).norm()});
   return speed;
+}
+
+// How fast the fastest centre is [m/s].
+inline double fastest_of(const World& world) {
+  double speed = 0.0;
+  for (std::size_t k = 0; k < world.bodies().size(); ++k)
+    speed = std::max(speed, velocity(world.bodies()[k], world.states()[k]).norm());
+  return speed;
+}
+
+// The largest distance between the places of the same body in two worlds [m]: infinite if a place is no number.
+inline double distance_of(const World& a, const World& b) {
+  double worst = 0.0;
+  for (std::size_t k = 0; k < a.states().size(); ++k) {
+    const double far = (a.states()[k].position_w - b.states()[k].position_w).norm();
+    worst = std::max(worst, std::isfinite(far) ? far : std::numeric_limits<double>::infinity());
+  }
+  return worst;
 }
 
 // Cubes of 1 m and 1 kg on top of each other on the ground.

@@ -2,29 +2,12 @@
 /// \brief Bodies that touch, and their contacts, for tests of what comes after geometry.
 #pragma once
 
-#include "tumble/contact/gather.hpp"
-
-#include <vector>
+#include "driver/touching.hpp"
 
 namespace tumble::test {
 
-// All pairs of bodies.
-inline std::vector<IndexPair> all_pairs(const World& world) {
-  std::vector<IndexPair> pairs;
-  for (int a = 0; a < world.count(); ++a)
-    for (int b = a + 1; b < world.count(); ++b) pairs.push_back({a, b});
-  return pairs;
-}
-
-// The contacts of all pairs of bodies.
-// margin: [m] surfaces up to this far apart count as touching
-inline ContactList contacts_within(const World& world, double margin) {
-  std::vector<MovingBody> moving;
-  load_moving_bodies(world, moving);
-  ContactList contacts;
-  gather_contacts(world, moving, all_pairs(world), margin, {}, contacts);
-  return contacts;
-}
+using chapters::all_pairs;
+using chapters::contacts_within;
 
 // A contact of one point, put down by hand.
 // normal_w: [-] from the first to the second

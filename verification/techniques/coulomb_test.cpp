@@ -61,8 +61,7 @@ TEST_CASE("A box slides down a slope with g (sin - mu cos), and stays where that
     CAPTURE(slider.name, slider.set);
     for (const double degrees : {20.0, 30.0}) {
       World slides = tilted_plane(degrees, 0.3);
-      const auto technique = awake(slider.name, slider.set);
-      CHECK(run(slides, *technique, 60) == 0);
+      CHECK(run(slides, *awake(slider.name, slider.set), 60) == 0);
       const double angle = degrees * std::numbers::pi / 180.0;
       const double a = kGravity * (std::sin(angle) - 0.3 * std::cos(angle));
       CHECK(speed(slides) == near(a, slider.way));
@@ -70,8 +69,7 @@ TEST_CASE("A box slides down a slope with g (sin - mu cos), and stays where that
       CHECK(place(slides) == near(slider.exact ? 0.5 * a : 0.5 * a * 61.0 / 60.0, slider.way));
     }
     World stays = tilted_plane(30.0, 0.6);
-    const auto technique = awake(slider.name, slider.set);
-    CHECK(run(stays, *technique, 600) == 0);
+    CHECK(run(stays, *awake(slider.name, slider.set), 600) == 0);
     CHECK(std::abs(place(stays)) < slider.rest);
   }
 }

@@ -22,11 +22,6 @@ BodyProperties wall() {
   return body;
 }
 
-double speed_x(const World& world, BodyId id) {
-  const auto body = static_cast<std::size_t>(world.index_of(id));
-  return velocity(world.bodies()[body], world.states()[body]).x();
-}
-
 }  // namespace
 
 TEST_CASE("A wall that was moved between steps is hit where it is, and nowhere else",
@@ -44,7 +39,7 @@ TEST_CASE("A wall that was moved between steps is hit where it is, and nowhere e
       technique->step(world, kFrame);
       world.set_state(fixed, make_state(wall(), into_the_way ? near_w : far_w));
       for (int k = 0; k < 10; ++k) technique->step(world, kFrame);
-      CHECK(speed_x(world, flier) == near(into_the_way ? -20.0 : 20.0, 1e-9));
+      CHECK(world.body(flier).velocity_w().x() == near(into_the_way ? -20.0 : 20.0, 1e-9));
     }
   }
 }
@@ -63,7 +58,7 @@ TEST_CASE("A full timewarp goes on from a step that was refused", "[unit][timewa
   CHECK_THROWS_WITH(full.step(world, kFrame), Contains("bystander"));
   world = saved;
   for (int k = 0; k < 3; ++k) full.step(world, kFrame);
-  CHECK(speed_x(world, left) == near(0.0, 1e-9));
+  CHECK(world.body(left).velocity_w().x() == near(0.0, 1e-9));
 }
 
 TEST_CASE("A full timewarp that is used on two worlds in turn keeps them apart",
@@ -78,8 +73,8 @@ TEST_CASE("A full timewarp that is used on two worlds in turn keeps them apart",
   full.step(worlds[0], kFrame);
   full.step(worlds[1], kFrame);
   for (int k = 0; k < 8; ++k) full.step(worlds[0], kFrame);
-  CHECK(speed_x(worlds[0], worlds[0].ids()[0]) == near(0.0, 1e-9));
-  CHECK(speed_x(worlds[0], worlds[0].ids()[1]) == near(10.0, 1e-9));
+  CHECK(worlds[0].body(worlds[0].ids()[0]).velocity_w().x() == near(0.0, 1e-9));
+  CHECK(worlds[0].body(worlds[0].ids()[1]).velocity_w().x() == near(10.0, 1e-9));
 }
 
 TEST_CASE("Steps of very different lengths are flown by a full timewarp like any other",

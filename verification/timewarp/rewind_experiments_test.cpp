@@ -11,15 +11,6 @@ namespace {
 // A cage in which 27 cubes collide some twenty times.
 CageStretch small_cage() { return CageStretch{.count = 27, .settle = 8, .frames = 16}; }
 
-// A column of a figure's table.
-std::vector<double> column_of(const Table& table, std::string_view name) {
-  std::vector<double> out;
-  for (std::size_t k = 0; k < table.columns.size(); ++k)
-    if (table.columns[k].name == name)
-      for (const std::vector<double>& row : table.rows) out.push_back(row[k]);
-  return out;
-}
-
 }  // namespace
 
 TEST_CASE("Work in a cage is counted over the same collisions under every form",
