@@ -3,6 +3,7 @@
 
 #include "contact_damped/helpers.hpp"
 #include "support/pose.hpp"
+#include "support/scenes.hpp"
 #include "support/test.hpp"
 
 namespace {
@@ -97,5 +98,91 @@ TEST_CASE("Planks that lean on blocks, and a table on four legs, stay where they
     INFO(name);
     CHECK(course.failed == 0);
     CHECK(course.moved < 1e-3);  // [m] invisible, as for structures
+  }
+}
+
+TEST_CASE("Impulses are all that changes momentum, also in islands of more than twenty bodies",
+          "[exact][contact_damped]") {
+  // Loose tiles that are pushed by a heavy bar, and a row of cubes that is hit.
+  Scene floor, row;
+  floor.ground.emplace().friction = 0.5;
+  for (int i = 0; i < 6; ++i)
+    for (int k = 0; k < 6; ++k)
+      floor.boxes.push_back({.size = Vec3(0.3, 0.1, 0.3),
+                             .mass = 3.0,
+                             .position_w = Vec3(0.3 * i, 0.05, 0.3 * k),
+                             .friction = 0.5});
+  floor.boxes.push_back({.size = Vec3(0.3, 0.1, 1.8),
+                         .mass = 300.0,
+                         .position_w = Vec3(-0.31, 0.05, 0.75),
+                         .velocity_w = Vec3(1.0, 0.0, 0.0),
+                         .friction = 0.1});
+  row.ground.emplace().friction = 0.3;
+  Random random(1);
+  for (int k = 0; k < 38; ++k)
+    row.boxes.push_back({.size = Vec3::Constant(0.3),
+                         .mass = k == 0 ? 100.0 : random.uniform(2.0, 10.0),
+                         .position_w = Vec3(0.3 * k, 0.15, 0.0),
+                         .velocity_w = Vec3(k == 0 ? 4.0 : 0.0, 0.0, 0.0),
+                         .friction = 0.3});
+  for (Scene* const scene : {&floor, &row}) {
+    for (std::size_t k = 0; k < scene->boxes.size(); ++k)
+      scene->boxes[k].name = "box" + std::to_string(k);
+    Simulation simulation(*scene);
+    const World& world = simulation.world();
+    double wrong = 0.0;  // [-] over the weight of all in a step
+    for (int n = 0; n < 60; ++n) {
+      std::vector<Vec3> change;
+      double weight = 0.0;  // [N]
+      for (std::size_t k = 0; k < world.states().size(); ++k) {
+        const double mass = world.bodies()[k].movable() ? world.bodies()[k].mass : 0.0;
+        change.push_back(-world.states()[k].linear_momentum_w - kFrame * mass * world.gravity_w);
+        weight += mass * world.gravity_w.norm();
+      }
+      simulation.step(kFrame);
+      for (const ContactRecord& contact : simulation.technique().contacts()) {
+        change[idx(world.index_of(contact.first))] += contact.push_w;
+        change[idx(world.index_of(contact.second))] -= contact.push_w;
+      }
+      double sum = 0.0;
+      for (std::size_t k = 0; k < change.size(); ++k)
+        if (world.bodies()[k].movable())
+          sum += (change[k] + world.states()[k].linear_momentum_w).norm();
+      wrong = std::max(wrong, sum / (weight * kFrame));
+    }
+    CHECK(wrong < 1e-5);
+  }
+}
+
+TEST_CASE("A stack rides on a turntable as far as friction holds it, whatever else is on it",
+          "[exact][contact_damped]") {
+  constexpr double kRadius = 0.8, kFriction = 0.6;
+  const double rate = std::sqrt(0.4 * kFriction * 9.81 / kRadius);  // [rad/s] at 40 % of the limit
+  for (const int plates : {19, 24}) {
+    Scene scene;
+    scene.ground.emplace().friction = 0.0;
+    scene.boxes.push_back({.name = "table",
+                           .size = Vec3(2.6, 0.2, 2.6),
+                           .mass = 50.0,
+                           .position_w = Vec3(0.0, 0.1, 0.0),
+                           .angular_velocity_w = Vec3(0.0, rate, 0.0),
+                           .friction = kFriction});
+    for (int k = 0; k <= plates; ++k)  // the last one is a small box on the other side
+      scene.boxes.push_back(
+          {.name = "box" + std::to_string(k),
+           .size = k < plates ? Vec3(0.2, 0.02, 0.2) : Vec3::Constant(0.05),
+           .mass = k < plates ? 1.0 : 0.01,
+           .position_w = k < plates ? Vec3(kRadius, 0.21 + 0.02 * k, 0.0) : Vec3(-0.4, 0.225, 0.0),
+           .velocity_w = Vec3(0.0, 0.0, k < plates ? -kRadius * rate : 0.4 * rate),
+           .angular_velocity_w = Vec3(0.0, rate, 0.0),
+           .friction = kFriction});
+    Simulation simulation(scene);
+    CHECK(simulation.run_for(1.0, kFrame) == StepStatus::done);
+    const Vec3 center_w = simulation.body("table").position_w();
+    for (int k = 0; k < plates; ++k) {
+      Vec3 arm_w = simulation.body("box" + std::to_string(k)).position_w() - center_w;
+      arm_w.y() = 0.0;
+      CHECK(std::abs(arm_w.norm() - kRadius) < 1e-4);
+    }
   }
 }

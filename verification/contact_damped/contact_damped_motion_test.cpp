@@ -363,6 +363,43 @@ TEST_CASE("A slider crosses seams with gaps on twenty and more heavy tiles",
   }
 }
 
+TEST_CASE(
+    "A slider up to a hundred times heavier than the loose tiles under it crosses them straight",
+    "[unit][contact_damped]") {
+  for (const double mass : {1000.0, 100.0, 10.0})
+    for (const double edge : {2.0, 1.0})
+      for (const double dt : {kFrame, 1.0 / 240.0}) {
+        CAPTURE(mass, edge, dt);
+        constexpr double kSpeed = 3.0, kFriction = 0.3;
+        Scene scene;
+        scene.ground.emplace().friction = kFriction;
+        for (int k = 0; k < 24; ++k)  // that touch: an island of more than twenty bodies
+          scene.boxes.push_back({.name = "tile" + std::to_string(k),
+                                 .size = Vec3(0.3, 0.1, 1.0),
+                                 .mass = mass,
+                                 .position_w = Vec3(0.3 * k, 0.05, 0.0),
+                                 .friction = kFriction});
+        scene.boxes.push_back({.name = "slider",
+                               .size = Vec3::Constant(edge),
+                               .mass = 1000.0,
+                               .position_w = Vec3(0.0, 0.1 + 0.5 * edge, 0.0),
+                               .velocity_w = Vec3(kSpeed, 0.0, 0.0),
+                               .friction = kFriction});
+        Simulation simulation(scene);
+        CHECK(simulation.run_for(1.5, dt) == StepStatus::done);
+        // It brakes at the end of each step rather than over it.
+        const double stops = kSpeed * kSpeed / (2.0 * kFriction * 9.81) - 0.5 * kSpeed * dt;
+        const Vec3 slider_w = simulation.body("slider").position_w();
+        CHECK((slider_w - Vec3(stops, 0.1 + 0.5 * edge, 0.0)).norm() < 1e-3);
+        double moved = 0.0;
+        for (int k = 0; k < 24; ++k)
+          moved = std::max(
+              moved,
+              std::abs(simulation.body("tile" + std::to_string(k)).position_w().x() - 0.3 * k));
+        CHECK(moved < 1e-4);
+      }
+}
+
 TEST_CASE("A box slides over a seam on a slope that is hardly too steep for its friction",
           "[unit][contact_damped]") {
   constexpr double kAngle = 44.0 / 180.0 * std::numbers::pi, kFriction = 0.95, kTime = 2.0;

@@ -194,9 +194,9 @@ class ContactDamped : public Technique {
   [[nodiscard]] IslandEffort effort() const;
   [[nodiscard]] bool is_crowded(const World& world, double dt);
   void solve_island(const Island& island, StepReport& report);
-  FoundBy run_plan(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
-                   StepReport& report);
-  void accept(const Island& island, const IslandPlan& plan, FoundBy found, StepReport& report);
+  bool run_plan(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
+                StepReport& report);
+  void accept(const Island& island, const IslandPlan& plan, bool direct, StepReport& report);
   void find_pivots(const World& world, double dt);
   bool drop_sinking_pivots(const World& world, double dt);
   bool carry(int k, double dt, World& world, StepReport& report) const;

@@ -8,6 +8,7 @@
 #include "tumble/contact_patches/patch_solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -59,6 +60,35 @@ bool is_slow(const Island& island, std::span<const MovingBody> moving) {
   return 4.0 * fastest < tolerance::moving_speed * speed_unit(island, shortest_edge(island));
 }
 
+// Whether a patch moves before the step, and with the impulses so far.
+bool moves_both_times(const Island& island, const ContactPatch& patch) {
+  return scaled_speed(island, patch, island.start) > tolerance::moving_speed &&
+         scaled_speed(island, patch, island.now) > tolerance::moving_speed;
+}
+
+// [-] Bodies that few are, at most. Reason: a slider, and two that it pushes. (6.3.1)
+constexpr std::size_t kFewBodies = 3;
+
+// Whether all patches that move are of some bodies, or of few others besides.
+bool only_few_move(const Island& island, std::array<int, kFewBodies> bodies, std::size_t count) {
+  for (const int contact : island.patch_indices) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    const std::span known(bodies.data(), count);
+    if (std::any_of(known.begin(), known.end(),
+                    [&](int k) { return k == patch.first || k == patch.second; }) ||
+        !moves_both_times(island, patch))
+      continue;
+    if (count == kFewBodies) return false;
+    // Then one of its two is one of the few.
+    const std::array pair{patch.first, patch.second};
+    return std::any_of(pair.begin(), pair.end(), [&](int k) {
+      bodies[count] = k;
+      return island.now[idx(k)].inverse_mass.x() > 0.0 && only_few_move(island, bodies, count + 1);
+    });
+  }
+  return true;
+}
+
 // By how much a point of a patch approaches faster than its target allows [m/s]; below 0 if none does.
 double approach_in(const ContactPatch& patch, const Island& island) {
   const Six u = motion_of(patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
@@ -101,6 +131,8 @@ SpeedRange speed_range(const Island& island) {
   return {std::min(before, now), std::max(before, now),
           static_cast<double>(moving) / static_cast<double>(island.patch_indices.size())};
 }
+
+bool few_move(const Island& island) { return only_few_move(island, {}, 0); }
 
 bool hardly_moves(const Island& island) {
   return (is_slow(island, island.start) && is_slow(island, island.now)) ||

@@ -57,6 +57,12 @@ struct SpeedRange {
 /// How fast an island moves.
 [[nodiscard]] SpeedRange speed_range(const Island& island);
 
+/// Whether all patches of an island that move, before the step and with the impulses so far, are of few bodies: a body that slides
+/// over others moves, they do not, however many it touches.
+/// \par Cost
+/// One look at each patch, if few move; else it ends at the first that is of none of the few.
+[[nodiscard]] bool few_move(const Island& island);
+
 /// Whether all patches of an island are slower than tolerance::moving_speed, before the step and with the impulses so far.
 [[nodiscard]] bool hardly_moves(const Island& island);
 
@@ -107,7 +113,7 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 /// \return [-] the deepest, as a share of the shortest edge of its pair
 [[nodiscard]] double overlap_of_sinking(const Island& island);
 
-/// Sets the velocities to those of the impulses alone. The direct solver may have left some of its springs in them.
+/// Sets the velocities to those of the impulses, after these have been changed.
 /// \param island  `now` is changed
 void velocities_from_impulses(const Island& island);
 

@@ -216,7 +216,7 @@ IslandResult IslandSolver::solve_normal(std::span<const int> bodies, std::span<c
     result.residual = update_impulses(0.0, change);
     result.converged = result.residual < limits.residual && change <= balanced;
   }
-  store(bodies, true, held, patches, now, FrictionLaw::held);
+  store(bodies, held, patches, now, FrictionLaw::held);
   return result;
 }
 

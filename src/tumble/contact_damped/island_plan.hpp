@@ -37,13 +37,6 @@ enum class IslandMethod : std::uint8_t {
   direct_then_sweep        ///< the direct solver, or more sweeps if it does not accept the island
 };
 
-/// What has found the impulses of an island.
-enum class FoundBy : std::uint8_t {
-  sweeps,  ///< sweeps, or those of the step before have been enough
-  direct,  ///< the direct solver
-  springs  ///< the direct solver, not converged: its springs are in the velocities, which meet the conditions better
-};
-
 /// The method for an island, with its limits.
 struct IslandPlan {
   IslandMethod method = IslandMethod::settled;  ///< after the first sweeps
@@ -55,7 +48,7 @@ struct IslandPlan {
   double fair_residual = 0.0;       ///< [m/s] below it sweeps were enough
   bool while_halving = false;       ///< sweeps end if four of them do not halve the residual
   double slow_approach = 0.0;       ///< [m/s] limit of approach_of_slow_patches()
-  bool sweep_unconverged = false;   ///< sweeps follow if the direct solver does not converge
+  int sweeps_if_unconverged = 0;    ///< sweeps that follow if the direct solver does not converge
   /// If it costs too much to solve at once: it is large and quiet, and has no more levels of support than a step has sweeps. In a
   /// higher one weight does not get through.
   bool sweeps_may_do = false;

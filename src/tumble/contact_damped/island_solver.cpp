@@ -84,18 +84,15 @@ void IslandSolver::adjust_stiffness(double primal, double dual, double most) {
   stiffness_ = std::clamp(stiffness_ * change, tolerance::admm_min_stiffness, most);
 }
 
-// Writes impulses back, and velocities: those that follow from the impulses if these are right or nearly so,
-// otherwise those with the springs, which meet the conditions better. Friction that is held stays as it is.
-void IslandSolver::store(std::span<const int> bodies, bool from_impulses,
-                         std::span<const MovingBody> free, std::span<ContactPatch> patches,
-                         std::span<MovingBody> now, FrictionLaw law) const {
+// Writes impulses back, and the velocities that follow from them. Friction that is held stays as it is.
+void IslandSolver::store(std::span<const int> bodies, std::span<const MovingBody> free,
+                         std::span<ContactPatch> patches, std::span<MovingBody> now,
+                         FrictionLaw law) const {
   const bool friction = law != FrictionLaw::held;
-  for (std::size_t m = 0; m < members_.size(); ++m) {
-    MovingBody& body = now[idx(bodies[m])];
-    body.velocity_w = from_impulses ? free[idx(bodies[m])].velocity_w : members_[m].now.head<3>();
-    body.angular_velocity_w =
-        from_impulses ? free[idx(bodies[m])].angular_velocity_w : members_[m].now.tail<3>();
-    body.changed = true;
+  for (const int k : bodies) {
+    now[idx(k)].velocity_w = free[idx(k)].velocity_w;
+    now[idx(k)].angular_velocity_w = free[idx(k)].angular_velocity_w;
+    now[idx(k)].changed = true;
   }
   for (const Constraint& constraint : constraints_) {
     ContactPatch& patch = patches[idx(constraint.patch)];
@@ -112,7 +109,7 @@ void IslandSolver::store(std::span<const int> bodies, bool from_impulses,
       patch.across_impulse = sum[1];
       patch.twist_impulse = sum[5];
     }
-    if (from_impulses) apply(sum, patch, now[idx(patch.first)], now[idx(patch.second)]);
+    apply(sum, patch, now[idx(patch.first)], now[idx(patch.second)]);
   }
 }
 
@@ -161,18 +158,18 @@ IslandResult IslandSolver::solve(std::span<const int> bodies, std::span<const in
     result.residual = limits.near;
     newton(patches, limits, result);
     if (result.converged || result.improved) {
-      store(bodies, true, free, patches, now, FrictionLaw::coulomb);
+      store(bodies, free, patches, now, FrictionLaw::coulomb);
       return result;
     }
   }
   if (!iterate(patches, limits, FrictionLaw::coulomb, result)) {
     load(bodies, contacts, free, patches, now, FrictionLaw::convex);
     result.accepted = iterate(patches, limits, FrictionLaw::convex, result);
-    if (result.accepted) store(bodies, result.converged, free, patches, now, FrictionLaw::convex);
+    if (result.accepted) store(bodies, free, patches, now, FrictionLaw::convex);
     return result;
   }
   if (!result.converged && limits.max_newton_steps > 0) newton(patches, limits, result);
-  store(bodies, result.converged || result.improved, free, patches, now, FrictionLaw::coulomb);
+  store(bodies, free, patches, now, FrictionLaw::coulomb);
   return result;
 }
 

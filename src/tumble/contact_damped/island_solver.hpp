@@ -189,7 +189,7 @@ class IslandSolver {
   void project_impulses(std::span<const ContactPatch> patches, FrictionLaw law, double& primal,
                         double& dual);
   void adjust_stiffness(double primal, double dual, double most);
-  void store(std::span<const int> bodies, bool from_impulses, std::span<const MovingBody> free,
+  void store(std::span<const int> bodies, std::span<const MovingBody> free,
              std::span<ContactPatch> patches, std::span<MovingBody> now, FrictionLaw law) const;
 
   // island_newton.cpp

@@ -7,7 +7,6 @@
 #include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 namespace tumble {
@@ -62,34 +61,29 @@ bool sweep_accelerated(const Island& island, const IslandPlan& plan, const First
   return residual < plan.fair_residual;
 }
 
-// All patches together. Returns nothing if the direct solver does not accept the island. In a small one that moves a result that
-// has not converged is the start of sweeps, which put friction back into its cone.
-std::optional<FoundBy> solve_directly(const Island& island, const IslandPlan& plan,
-                                      IslandSolver& solver, StepReport& report) {
+// All patches together. Returns whether the direct solver accepted the island. A result that has not converged is the start of
+// sweeps, which put friction back into its cone, and stop approach.
+bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& solver,
+                    StepReport& report) {
   const IslandResult result = solver.solve(island.bodies, island.patch_indices, plan.direct,
                                            island.free, island.all_patches, island.now);
   report.iterations += result.iterations;
   report.pivots += result.factorizations;  // the costliest part of the work, as pivots elsewhere
-  if (!result.accepted) return std::nullopt;
-  if (!result.converged && plan.sweep_unconverged) {
-    velocities_from_impulses(island);
-    sweep_at_most(tolerance::small_island_sweeps, island, plan, report);
-    return FoundBy::direct;
-  }
-  return result.converged || result.improved ? FoundBy::direct : FoundBy::springs;
+  if (result.accepted && !result.converged && !result.improved)
+    sweep_at_most(plan.sweeps_if_unconverged, island, plan, report);
+  return result.accepted;
 }
 
 // Of the impulses that sweeps have found, and those of the direct solver, the ones with which bodies sink less into each
-// other. Where little sinks the direct solver is not tried. Returns whose impulses were taken.
-FoundBy solve_if_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
-                         KeptSolution& before, std::span<char> in_flight, StepReport& report) {
+// other. Where little sinks the direct solver is not tried. Returns whether its impulses were taken.
+bool solve_if_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
+                      KeptSolution& before, std::span<char> in_flight, StepReport& report) {
   const double swept = deepest_sinking(island);
-  if (swept < tolerance::deep_sinking) return FoundBy::sweeps;
+  if (swept < tolerance::deep_sinking) return false;
   before.keep(island, in_flight);
-  const std::optional<FoundBy> found = solve_directly(island, plan, solver, report);
-  if (found && deepest_sinking(island) < swept) return *found;
+  if (solve_directly(island, plan, solver, report) && deepest_sinking(island) < swept) return true;
   before.restore(island, in_flight);
-  return FoundBy::sweeps;
+  return false;
 }
 
 // Impulses of the direct solver that add energy are no solution, but are near one. Each sweep that begins with them takes
@@ -97,7 +91,6 @@ FoundBy solve_if_sinking(const Island& island, const IslandPlan& plan, IslandSol
 // without impulses, and add none whatever their number. Returns the share of the impulses that adds no energy.
 double sweep_without_gain(const Island& island, const IslandPlan& plan, StepReport& report) {
   ++report.fallbacks;
-  velocities_from_impulses(island);
   double share = 0.0;
   for (int k = 0; k < tolerance::sweeps_after_gain; ++k) {
     sweep_number(k, island, plan, report);
@@ -125,9 +118,8 @@ void hold_friction(const Island& island, double share, std::vector<MovingBody>& 
 }
 
 // Clears `in_flight` of the bodies that do not fly their parabola. Those fly it that are pushed by nothing, or only by each other:
-// then all of a group that touches falls alike. Impulses of rounding push nothing, nor are they kept. Where springs of the direct
-// solver are in the velocities, they hold bodies as well.
-void decide_flight(const Island& island, FoundBy found, std::span<char> in_flight) {
+// then all of a group that touches falls alike. Impulses of rounding push nothing, nor are they kept.
+void decide_flight(const Island& island, std::span<char> in_flight) {
   double fastest = 0.0;  // [m/s]
   for (const int k : island.bodies) {
     const MovingBody& free = island.free[idx(k)];
@@ -141,10 +133,7 @@ void decide_flight(const Island& island, FoundBy found, std::span<char> in_fligh
     const double changed =
         fastest_point_speed(island.world.bodies()[idx(k)], now.velocity_w - free.velocity_w,
                             now.angular_velocity_w - free.angular_velocity_w);
-    if (changed <= none)
-      now = free;
-    else if (found == FoundBy::springs)
-      in_flight[idx(k)] = 0;
+    if (changed <= none) now = free;
   }
   const auto is_held = [&](int k) {
     return in_flight[idx(k)] == 0 || island.now[idx(k)].inverse_mass.x() == 0.0;
@@ -177,7 +166,7 @@ void stop_sinking(const Island& island, const IslandPlan& plan, IslandSolver& so
     if (!result.accepted) break;
     if (overlap_of_sinking(island) < overlap && share_without_gain(island) == 1.0) {
       for (const int body : island.bodies) in_flight[idx(body)] = 1;
-      decide_flight(island, FoundBy::direct, in_flight);
+      decide_flight(island, in_flight);
       return;
     }
   }
@@ -226,17 +215,15 @@ void ContactDamped::solve_again(const Island& island, StepReport& report) {
   note_approach(island);
   const IslandPlan plan = plan_island(island, {}, effort());
   sweep_at_most(options_.sweeps, island, plan, report);
-  accept(island, plan, FoundBy::sweeps, report);
+  accept(island, plan, false, report);
 }
 
-// Makes what a plan asks for. Returns what has found the impulses.
-FoundBy ContactDamped::run_plan(const Island& island, const IslandPlan& plan,
-                                const FirstSweeps& first, StepReport& report) {
+// Makes what a plan asks for. Returns whether the impulses are those of the direct solver.
+bool ContactDamped::run_plan(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
+                             StepReport& report) {
   // [S6.3.1:methods]
-  const auto directly = [&] {
-    return solve_directly(island, plan, memory_.island_solver, report).value_or(FoundBy::sweeps);
-  };
-  FoundBy found = FoundBy::sweeps;
+  const auto directly = [&] { return solve_directly(island, plan, memory_.island_solver, report); };
+  bool direct = false;
   switch (plan.method) {
     case IslandMethod::settled: break;
     case IslandMethod::sweep:
@@ -246,34 +233,33 @@ FoundBy ContactDamped::run_plan(const Island& island, const IslandPlan& plan,
     case IslandMethod::sweep_unless_sinking:
       // Much of it moves, and there is time for the direct solver.
       if (!sweep_on(island, plan, first, report))
-        found = solve_if_sinking(island, plan, memory_.island_solver, storage_.swept,
-                                 storage_.in_flight, report);
+        direct = solve_if_sinking(island, plan, memory_.island_solver, storage_.swept,
+                                  storage_.in_flight, report);
       break;
     case IslandMethod::sweep_then_direct:
       // It moves fast, slides, or sweeps converge.
-      if (!sweep_on(island, plan, first, report)) found = directly();
+      if (!sweep_on(island, plan, first, report)) direct = directly();
       break;
     case IslandMethod::accelerate_then_direct:
       // It is at rest, and too large to solve at once.
       if (!sweep_accelerated(island, plan, first, storage_.acceleration, report))
-        found = directly();
+        direct = directly();
       break;
     case IslandMethod::direct_then_sweep:
       // Weight has to go through all of it at once.
-      found = directly();
-      if (found == FoundBy::sweeps) sweep_on(island, plan, first, report);
+      direct = directly();
+      if (!direct) sweep_on(island, plan, first, report);
       break;
   }
   // [S6.3.1:methods]
-  return found;
+  return direct;
 }
 
 // Impulses that push bodies apart are discarded, and sweeps begin anew, unless the island is so large that sweeps from nothing would
 // let it sink. Those that add energy are not taken as they are, nor those with which bodies sink deeply, and what has none flies.
-void ContactDamped::accept(const Island& island, const IslandPlan& plan, FoundBy found,
+void ContactDamped::accept(const Island& island, const IslandPlan& plan, bool direct,
                            StepReport& report) {
-  const bool only_swept =
-      plan.method == IslandMethod::sweep_unless_sinking && found == FoundBy::sweeps;
+  const bool only_swept = plan.method == IslandMethod::sweep_unless_sinking && !direct;
   if (only_swept && !is_small(island) && pushes_apart(island)) {
     discard_impulses(island);
     sweep_at_most(plan.max_sweeps, island, plan, report);
@@ -281,12 +267,12 @@ void ContactDamped::accept(const Island& island, const IslandPlan& plan, FoundBy
   double share = share_without_gain(island);
   if (share < tolerance::least_share) {
     share = sweep_without_gain(island, plan, report);
-    found = FoundBy::sweeps;
+    direct = false;
   }
   if (plan.method != IslandMethod::settled)  // which changes nothing
     for (const int contact : island.patch_indices)
-      island.all_patches[idx(contact)].solved_directly = found != FoundBy::sweeps;
-  decide_flight(island, found, storage_.in_flight);
+      island.all_patches[idx(contact)].solved_directly = direct;
+  decide_flight(island, storage_.in_flight);
   limit_energy(island, share, report);
   if (plan.method != IslandMethod::settled && plan.method != IslandMethod::sweep)
     stop_sinking(island, plan, memory_.island_solver, storage_.swept, storage_.held,
