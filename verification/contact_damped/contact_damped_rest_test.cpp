@@ -78,9 +78,9 @@ TEST_CASE("A deck of cards stands whose cards are thinner than what gravity move
             .norm() < 1e-6);
 }
 
-TEST_CASE("Six of eight heaps of a thousand cubes come to rest, and cost fewer sweeps then",
+TEST_CASE("Seven of eight heaps of a thousand cubes come to rest, and cost fewer sweeps then",
           "[.long][unit][contact_damped]") {
-  // In the others a tower sways, slower and slower. Which they are changes with each change of the motions, from none to two.
+  // In the eighth a tower of ten sways. On 2026-11-29 two sway, a third less after each ten seconds: known to fail.
   constexpr int kHeaps = 8, kSteps = 60;
   std::int64_t impulses = 0;
   int rest = 0;
@@ -97,7 +97,7 @@ TEST_CASE("Six of eight heaps of a thousand cubes come to rest, and cost fewer s
       impulses += report.impulses;
     }
   }
-  CHECK(rest >= 6);
+  CHECK(rest >= 7);
   // A sweep is an impulse in each of 2100 patches. In motion a step makes 24 of them.
   CHECK(impulses < std::int64_t{rest} * kSteps * 16 * 2100);
 }

@@ -129,10 +129,9 @@ SpeedRange speed_range(const Island& island) {
     if (had > tolerance::moving_speed && has > tolerance::moving_speed) ++moving;
   }
   return {std::min(before, now), std::max(before, now),
-          static_cast<double>(moving) / static_cast<double>(island.patch_indices.size())};
+          static_cast<double>(moving) / static_cast<double>(island.patch_indices.size()),
+          moving == 0 || only_few_move(island, {}, 0)};
 }
-
-bool few_move(const Island& island) { return only_few_move(island, {}, 0); }
 
 bool hardly_moves(const Island& island) {
   return (is_slow(island, island.start) && is_slow(island, island.now)) ||

@@ -52,16 +52,12 @@ struct SpeedRange {
   double higher = 0.0;  ///< [-] ditto
   double moving =
       0.0;  ///< [-] share of the patches that are faster than tolerance::moving_speed both times
+  /// None is, or all that are belong to few bodies: one that slides over others moves, they do not, however many it touches.
+  bool few = false;
 };
 
 /// How fast an island moves.
 [[nodiscard]] SpeedRange speed_range(const Island& island);
-
-/// Whether all patches of an island that move, before the step and with the impulses so far, are of few bodies: a body that slides
-/// over others moves, they do not, however many it touches.
-/// \par Cost
-/// One look at each patch, if few move; else it ends at the first that is of none of the few.
-[[nodiscard]] bool few_move(const Island& island);
 
 /// Whether all patches of an island are slower than tolerance::moving_speed, before the step and with the impulses so far.
 [[nodiscard]] bool hardly_moves(const Island& island);

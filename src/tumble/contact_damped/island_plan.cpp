@@ -117,7 +117,24 @@ bool moves(const SpeedRange& speed) {
 
 // Whether much of an island moves.
 bool much_moves(const Island& island, const SpeedRange& speed) {
-  return speed.moving > tolerance::loose_share && (is_small(island) || !few_move(island));
+  return speed.moving > tolerance::loose_share && (is_small(island) || !speed.few);
+}
+
+// What an island is like: each kind has its limits.
+enum class IslandKind {
+  small,   // or few of its bodies move: solved to convergence
+  loose,   // much of it moves, and it has to be swept
+  steady,  // large, and some of it moves
+  quiet    // large, and nothing of it moves
+};
+
+IslandKind kind_of(const Island& island, const SpeedRange& speed, bool swept,
+                   const IslandEffort& effort) {
+  if (swept && much_moves(island, speed)) return IslandKind::loose;
+  if (is_small(island)) return IslandKind::small;
+  if (!moves(speed)) return IslandKind::quiet;
+  return speed.few && !normal_exceeds_budget(island, effort) ? IslandKind::small
+                                                             : IslandKind::steady;
 }
 
 // Sweeps within the budget, so many at most.
@@ -173,27 +190,6 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
   if (!first.settled) first.up = sweep(island, SweepOrder::up, patch_iterations, skipped, report);
   return first;
 }
-
-namespace {
-
-// What an island is like: each kind has its limits.
-enum class IslandKind {
-  small,   // or few of its bodies move: solved to convergence
-  loose,   // much of it moves, and it has to be swept
-  steady,  // large, and some of it moves
-  quiet    // large, and nothing of it moves
-};
-
-IslandKind kind_of(const Island& island, const SpeedRange& speed, bool swept,
-                   const IslandEffort& effort) {
-  if (swept && much_moves(island, speed)) return IslandKind::loose;
-  if (is_small(island)) return IslandKind::small;
-  if (!moves(speed)) return IslandKind::quiet;
-  return few_move(island) && !normal_exceeds_budget(island, effort) ? IslandKind::small
-                                                                    : IslandKind::steady;
-}
-
-}  // namespace
 
 IslandPlan plan_island(const Island& island, const FirstSweeps& first, const IslandEffort& effort) {
   IslandPlan plan;
