@@ -43,7 +43,9 @@ struct TestIsland {
 
   IslandResult solve(IslandSolver& solver, int iterations, double residual = 1e-9) {
     const IslandLimits limits{residual * kStepGravity, kStepGravity, iterations, 1e9};
-    return solver.solve(members, contacts, limits, free, manifolds.patches(), bodies);
+    return solver.solve(
+        {world, kFrame, members, contacts, contacts, manifolds.patches(), {}, {}, free, bodies},
+        limits);
   }
 };
 

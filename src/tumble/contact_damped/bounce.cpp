@@ -65,10 +65,7 @@ void solve_bounce(const Island& island, IslandSolver& solver, std::vector<Moving
   limits.residual = negligible_residual(island);
   limits.max_work = tolerance::max_factor_work;
   limits.max_newton_steps = tolerance::small_newton_steps;
-  report.pivots += solver
-                       .solve_normal(island.bodies, island.patch_indices, limits, held,
-                                     island.all_patches, island.now)
-                       .factorizations;
+  report.pivots += solver.solve_normal(island, limits, held).factorizations;
 }
 
 // Points that were hit separate with the speed that restitution gives them, all at once.

@@ -200,23 +200,20 @@ void IslandSolver::newton(std::span<const ContactPatch> patches, const IslandLim
   }
 }
 
-IslandResult IslandSolver::solve_normal(std::span<const int> bodies, std::span<const int> contacts,
-                                        const IslandLimits& limits,
-                                        std::span<const MovingBody> held,
-                                        std::span<ContactPatch> patches,
-                                        std::span<MovingBody> now) {
+IslandResult IslandSolver::solve_normal(const Island& island, const IslandLimits& limits,
+                                        std::span<const MovingBody> held) {
   IslandResult result;
-  load(bodies, contacts, held, patches, now, FrictionLaw::held);
+  load(island, held, FrictionLaw::held);
   if (costs_too_much(limits.max_work)) return result;
   result.accepted = true;
   const double balanced = tolerance::newton_balanced * limits.residual;
   while (!result.converged && result.factorizations < limits.max_newton_steps) {
     const double change =
-        balance(patches, balanced, limits.max_newton_steps, result.factorizations);
+        balance(island.all_patches, balanced, limits.max_newton_steps, result.factorizations);
     result.residual = update_impulses(0.0, change);
     result.converged = result.residual < limits.residual && change <= balanced;
   }
-  store(bodies, held, patches, now, FrictionLaw::held);
+  store(island, held, FrictionLaw::held);
   return result;
 }
 

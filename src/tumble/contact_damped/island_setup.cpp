@@ -2,12 +2,14 @@
 /// \brief The direct solver: its bodies and points, and its matrix.
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
+#include "tumble/contact/graph.hpp"
 #include "tumble/contact_damped/island_parts.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tumble {
 
@@ -36,25 +38,23 @@ std::array<double, ContactPatch::kMostPoints> point_pressures(const ContactPatch
 
 }  // namespace
 
-void IslandSolver::load(std::span<const int> bodies, std::span<const int> contacts,
-                        std::span<const MovingBody> free, std::span<const ContactPatch> patches,
-                        std::span<const MovingBody> now, FrictionLaw law) {
-  number_members(bodies, now.size());
+void IslandSolver::load(const Island& island, std::span<const MovingBody> free, FrictionLaw law) {
+  number_members(island);
   members_.clear();
-  for (const int body : bodies) {
+  for (const int body : island.bodies) {
+    const MovingBody& now = island.now[idx(body)];
     Member& member = members_.emplace_back();
-    member.mass = 1.0 / now[idx(body)].inverse_mass.x();
-    member.inertia_w = now[idx(body)].inverse_inertia_w.inverse();
+    member.mass = member.load = 1.0 / now.inverse_mass.x();
+    member.inertia_w = now.inverse_inertia_w.inverse();
     member.free = velocities_of(free[idx(body)]);
-    member.now = velocities_of(now[idx(body)]);
+    member.now = velocities_of(now);
   }
-  double heaviest = 0.0;  // [kg]
-  for (const Member& member : members_) heaviest = std::max(heaviest, member.mass);
+  find_loads(island);
   constraints_.clear();
   points_.clear();
   joined_.clear();
-  for (const int contact : contacts) {
-    const ContactPatch& patch = patches[idx(contact)];
+  for (const int contact : island.patch_indices) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
     if (asks_for_nothing(patch)) continue;
     Constraint& constraint = constraints_.emplace_back();
     constraint.patch = contact;
@@ -65,10 +65,13 @@ void IslandSolver::load(std::span<const int> bodies, std::span<const int> contac
       joined_.push_back({constraint.first, constraint.second});
     }
     constraint.begin = static_cast<int>(points_.size());
-    load_points(patch, heaviest, law);
+    double load = std::numeric_limits<double>::infinity();  // [kg] of the body that is carried
+    for (const int member : {constraint.first, constraint.second})
+      if (member >= 0) load = std::min(load, members_[idx(member)].load);
+    load_points(patch, load, law);
     constraint.end = static_cast<int>(points_.size());
   }
-  forget_members(bodies);
+  forget_members(island);
   x_.resize(members_.size());
   newton_start_.resize(members_.size());
   // Factorization takes square roots. In units of about a body's mass, scaling all masses by a power of two
@@ -79,28 +82,53 @@ void IslandSolver::load(std::span<const int> bodies, std::span<const int> contac
 }
 
 // Numbers the bodies that are solved for, in member_of_. To be forgotten after use.
-void IslandSolver::number_members(std::span<const int> bodies, std::size_t all) {
-  member_of_.resize(all, -1);
+void IslandSolver::number_members(const Island& island) {
+  member_of_.resize(island.now.size(), -1);
   int members = 0;
-  for (const int body : bodies) member_of_[idx(body)] = members++;
+  for (const int body : island.bodies) member_of_[idx(body)] = members++;
 }
 
-void IslandSolver::forget_members(std::span<const int> bodies) {
-  for (const int body : bodies) member_of_[idx(body)] = -1;
+void IslandSolver::forget_members(const Island& island) {
+  for (const int body : island.bodies) member_of_[idx(body)] = -1;
 }
 
-bool IslandSolver::costs_more_than(double most, std::span<const int> bodies,
-                                   std::span<const int> contacts,
-                                   std::span<const ContactPatch> patches, std::size_t all) {
-  number_members(bodies, all);
+// The heaviest body that each one may carry: itself, what rests on it, and what leans on it.
+void IslandSolver::find_loads(const Island& island) {
+  const double g = island.world.gravity_w.norm();
+  const Vec3 up_w = g > 0.0 ? Vec3(-island.world.gravity_w / g) : Vec3::Zero();
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t k = island.upward.size(); k-- > 0;) {
+      const ContactPatch& patch = island.all_patches[idx(island.upward[k])];
+      const int first = member_of_[idx(patch.first)];
+      const int second = member_of_[idx(patch.second)];
+      if (first < 0 || second < 0) continue;
+      const int direction = support_direction(patch.frame_w.col(2), up_w);
+      double& on_first = members_[idx(first)].load;
+      double& on_second = members_[idx(second)].load;
+      if (direction >= 0 && on_first < on_second) {
+        on_first = on_second;
+        more = true;
+      }
+      if (direction <= 0 && on_second < on_first) {
+        on_second = on_first;
+        more = true;
+      }
+    }
+  }
+}
+
+bool IslandSolver::costs_more_than(double most, const Island& island) {
+  number_members(island);
   joined_.clear();
-  for (const int contact : contacts) {
-    const int first = member_of_[idx(patches[idx(contact)].first)];
-    const int second = member_of_[idx(patches[idx(contact)].second)];
+  for (const int contact : island.patch_indices) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    const int first = member_of_[idx(patch.first)];
+    const int second = member_of_[idx(patch.second)];
     if (first >= 0 && second >= 0) joined_.push_back({first, second});
   }
-  forget_members(bodies);
-  matrix_.analyse(static_cast<int>(bodies.size()), joined_);
+  forget_members(island);
+  matrix_.analyse(static_cast<int>(island.bodies.size()), joined_);
   return static_cast<double>(matrix_.multiplications_of_factor()) > most;
 }
 
@@ -114,8 +142,8 @@ bool IslandSolver::costs_too_much(double max_work) {
 // The points of a patch, each with its impulse of the last solution. Friction that was added since is distributed:
 // each point gets a share in proportion to its pressure, and of the moment about the centre of pressure in
 // proportion to its lever as well.
-// Springs between light bodies are stiff enough to carry the heaviest body of the island.
-void IslandSolver::load_points(const ContactPatch& patch, double heaviest, FrictionLaw law) {
+// Springs between light bodies are stiff enough for the heaviest body that they may carry.
+void IslandSolver::load_points(const ContactPatch& patch, double load, FrictionLaw law) {
   const SixBySix& K = patch.inverse_mass;
   Six since = impulse_of(patch);
   for (const ContactPatchPoint& p : patch.used())
@@ -152,7 +180,7 @@ void IslandSolver::load_points(const ContactPatch& patch, double heaviest, Frict
     point.target = p.target;
     point.friction = law == FrictionLaw::held ? 0.0 : patch.friction;
     point.inverse_mass = inverse_mass_at(K, p.along, p.across);
-    point.inverse_mass = std::min(point.inverse_mass, tolerance::lightest_spring / heaviest);
+    point.inverse_mass = std::min(point.inverse_mass, tolerance::lightest_spring / load);
     if (!(pressure[i] > 0.0)) continue;
     const double share = pressure[i] / normal;
     double f = p.solver_impulse[0] + share * since[0] - turn * pressure[i] * (p.across - across);

@@ -85,17 +85,17 @@ void IslandSolver::adjust_stiffness(double primal, double dual, double most) {
 }
 
 // Writes impulses back, and the velocities that follow from them. Friction that is held stays as it is.
-void IslandSolver::store(std::span<const int> bodies, std::span<const MovingBody> free,
-                         std::span<ContactPatch> patches, std::span<MovingBody> now,
+void IslandSolver::store(const Island& island, std::span<const MovingBody> free,
                          FrictionLaw law) const {
+  const std::span<MovingBody> now = island.now;
   const bool friction = law != FrictionLaw::held;
-  for (const int k : bodies) {
+  for (const int k : island.bodies) {
     now[idx(k)].velocity_w = free[idx(k)].velocity_w;
     now[idx(k)].angular_velocity_w = free[idx(k)].angular_velocity_w;
     now[idx(k)].changed = true;
   }
   for (const Constraint& constraint : constraints_) {
-    ContactPatch& patch = patches[idx(constraint.patch)];
+    ContactPatch& patch = island.all_patches[idx(constraint.patch)];
     Six sum{};
     for (int i = constraint.begin; i < constraint.end; ++i) {
       const Point& p = points_[idx(i)];
@@ -145,11 +145,10 @@ bool IslandSolver::iterate(std::span<const ContactPatch> patches, const IslandLi
   return result.residual <= tolerance::admm_diverged * first_residual + limits.unit_speed;
 }
 
-IslandResult IslandSolver::solve(std::span<const int> bodies, std::span<const int> contacts,
-                                 const IslandLimits& limits, std::span<const MovingBody> free,
-                                 std::span<ContactPatch> patches, std::span<MovingBody> now) {
+IslandResult IslandSolver::solve(const Island& island, const IslandLimits& limits) {
+  const std::span<const ContactPatch> patches = island.all_patches;
   IslandResult result;
-  load(bodies, contacts, free, patches, now, FrictionLaw::coulomb);
+  load(island, island.free, FrictionLaw::coulomb);
   if (costs_too_much(limits.max_work)) return result;
   result.accepted = true;
   if (limits.near > 0.0) {
@@ -158,18 +157,18 @@ IslandResult IslandSolver::solve(std::span<const int> bodies, std::span<const in
     result.residual = limits.near;
     newton(patches, limits, result);
     if (result.converged || result.improved) {
-      store(bodies, free, patches, now, FrictionLaw::coulomb);
+      store(island, island.free, FrictionLaw::coulomb);
       return result;
     }
   }
   if (!iterate(patches, limits, FrictionLaw::coulomb, result)) {
-    load(bodies, contacts, free, patches, now, FrictionLaw::convex);
+    load(island, island.free, FrictionLaw::convex);
     result.accepted = iterate(patches, limits, FrictionLaw::convex, result);
-    if (result.accepted) store(bodies, free, patches, now, FrictionLaw::convex);
+    if (result.accepted) store(island, island.free, FrictionLaw::convex);
     return result;
   }
   if (!result.converged && limits.max_newton_steps > 0) newton(patches, limits, result);
-  store(bodies, free, patches, now, FrictionLaw::coulomb);
+  store(island, island.free, FrictionLaw::coulomb);
   return result;
 }
 

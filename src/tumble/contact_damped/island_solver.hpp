@@ -5,8 +5,8 @@
 /// sweeps go from patch to patch. Iterations remain: friction and separation are not linear.
 #pragma once
 
+#include "tumble/contact_damped/island.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
-#include "tumble/contact_patches/contact_patch.hpp"
 #include "tumble/math/sparse_blocks.hpp"
 
 #include <array>
@@ -99,32 +99,24 @@ struct IslandResult {
 class IslandSolver {
  public:
   /// Solves one island.
-  /// \param contacts  places of its patches in `patches`
-  /// \param free      how the bodies would move without any contact, by index
-  /// \param patches   with their targets; impulses in (a start) and out
-  /// \param now       by index: velocities in (a start) and out
+  /// \param island  patches with their targets; impulses and velocities in (a start) and out
   /// \return how it ended; nothing is changed unless it was accepted
-  IslandResult solve(std::span<const int> bodies, std::span<const int> contacts,
-                     const IslandLimits& limits, std::span<const MovingBody> free,
-                     std::span<ContactPatch> patches, std::span<MovingBody> now);
+  IslandResult solve(const Island& island, const IslandLimits& limits);
 
   /// Whether one factorization of an island's matrix takes more multiplications than that.
-  bool costs_more_than(double most, std::span<const int> bodies, std::span<const int> contacts,
-                       std::span<const ContactPatch> patches, std::size_t all);
+  bool costs_more_than(double most, const Island& island);
 
   /// Finds the normal impulses with which nothing approaches, friction held as it is.
   ///
   /// Without the cones' coupling the problem is convex with one solution, and the Newton steps of solve() find it
   /// whatever the masses and the coefficients of friction are. Impulses of friction may be outside of their cones
   /// afterwards.
-  /// \param limits    residual, max_newton_steps and max_work count
-  /// \param held      by index: velocities without contacts, with the impulses of friction
-  /// \param patches   with their targets; normal impulses in (a start) and out
-  /// \param now       by index: velocities in (a start) and out
+  /// \param island  patches with their targets; normal impulses and velocities in (a start) and out
+  /// \param limits  residual, max_newton_steps and max_work count
+  /// \param held    by index: velocities without contacts, with the impulses of friction
   /// \return how it ended; nothing is changed unless it was accepted, which it is if factors do not cost too much
-  IslandResult solve_normal(std::span<const int> bodies, std::span<const int> contacts,
-                            const IslandLimits& limits, std::span<const MovingBody> held,
-                            std::span<ContactPatch> patches, std::span<MovingBody> now);
+  IslandResult solve_normal(const Island& island, const IslandLimits& limits,
+                            std::span<const MovingBody> held);
 
  private:
   // The shift s is found by substitution, which diverges where friction or the ratio of masses is very large. Without
@@ -134,6 +126,7 @@ class IslandSolver {
   // A movable body of the island.
   struct Member {
     double mass = 0.0;              // [kg]
+    double load = 0.0;              // [kg] the heaviest body that it may carry, itself included
     Mat3 inertia_w = Mat3::Zero();  // [kg m²]
     Vec6 free = Vec6::Zero();       // velocity and angular velocity without contacts
     Vec6 now = Vec6::Zero();        // the present ones
@@ -167,12 +160,11 @@ class IslandSolver {
   };
 
   // island_setup.cpp: bodies, points and the matrix.
-  void load(std::span<const int> bodies, std::span<const int> contacts,
-            std::span<const MovingBody> free, std::span<const ContactPatch> patches,
-            std::span<const MovingBody> now, FrictionLaw law);
-  void number_members(std::span<const int> bodies, std::size_t all);
-  void forget_members(std::span<const int> bodies);
-  void load_points(const ContactPatch& patch, double heaviest, FrictionLaw law);
+  void load(const Island& island, std::span<const MovingBody> free, FrictionLaw law);
+  void number_members(const Island& island);
+  void forget_members(const Island& island);
+  void find_loads(const Island& island);
+  void load_points(const ContactPatch& patch, double load, FrictionLaw law);
   bool costs_too_much(double max_work);
   void begin_iterations(std::span<const ContactPatch> patches, double unit_speed, FrictionLaw law);
   [[nodiscard]] Six motion_now(const Constraint& constraint, const ContactPatch& patch) const;
@@ -189,8 +181,7 @@ class IslandSolver {
   void project_impulses(std::span<const ContactPatch> patches, FrictionLaw law, double& primal,
                         double& dual);
   void adjust_stiffness(double primal, double dual, double most);
-  void store(std::span<const int> bodies, std::span<const MovingBody> free,
-             std::span<ContactPatch> patches, std::span<MovingBody> now, FrictionLaw law) const;
+  void store(const Island& island, std::span<const MovingBody> free, FrictionLaw law) const;
 
   // island_newton.cpp
   void newton(std::span<const ContactPatch> patches, const IslandLimits& limits,

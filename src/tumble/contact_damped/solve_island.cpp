@@ -65,8 +65,7 @@ bool sweep_accelerated(const Island& island, const IslandPlan& plan, const First
 // sweeps, which put friction back into its cone, and stop approach.
 bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& solver,
                     StepReport& report) {
-  const IslandResult result = solver.solve(island.bodies, island.patch_indices, plan.direct,
-                                           island.free, island.all_patches, island.now);
+  const IslandResult result = solver.solve(island, plan.direct);
   report.iterations += result.iterations;
   report.pivots += result.factorizations;  // the costliest part of the work, as pivots elsewhere
   if (result.accepted && !result.converged && !result.improved)
@@ -160,8 +159,7 @@ void stop_sinking(const Island& island, const IslandPlan& plan, IslandSolver& so
   before.keep(island, in_flight);
   for (const double share : {1.0, 0.5, 0.0}) {
     hold_friction(island, share, held);
-    const IslandResult result = solver.solve_normal(
-        island.bodies, island.patch_indices, plan.normal, held, island.all_patches, island.now);
+    const IslandResult result = solver.solve_normal(island, plan.normal, held);
     report.pivots += result.factorizations;
     if (!result.accepted) break;
     if (overlap_of_sinking(island) < overlap && share_without_gain(island) == 1.0) {
@@ -193,9 +191,8 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
   // to do. Another one up, as support goes, shows whether sweeps converge.
   const FirstSweeps first = sweep_first(island, direct_last_step, report);
   IslandPlan plan = plan_island(island, first, effort());
-  if (plan.sweeps_may_do && memory_.island_solver.costs_more_than(
-                                tolerance::quiet_factor_work, island.bodies, island.patch_indices,
-                                island.all_patches, island.now.size()))
+  if (plan.sweeps_may_do &&
+      memory_.island_solver.costs_more_than(tolerance::quiet_factor_work, island))
     sweep_quiet_island(island, effort(), plan);
   if (plan.discard_warm_start) discard_impulses(island);
   accept(island, plan, run_plan(island, plan, first, report), report);

@@ -45,8 +45,8 @@ inline constexpr double weightless_speed = 3e-3;
 /// one with the fewest iterations for stacks, pyramids and walls that land. (6.3.1)
 inline constexpr double admm_stiffness = 100.0;
 
-/// [-] The mass that a point resists with counts as at least the heaviest body's over this. Reason: of 1, 10, 100 and 1000 the one
-/// with which random worlds with mass ratios of a million overlap least. (6.3.1)
+/// [-] The mass that a point resists with counts as at least that of the heaviest body that it may carry, over this. Reason: of 1,
+/// 10, 100 and 1000 the one with which random worlds with mass ratios of a million overlap least. (6.3.1)
 inline constexpr double lightest_spring = 100.0;
 
 /// [-] Springs of the direct solver at their hardest, as a multiple of the mass that a point resists with. Reason: half of the
