@@ -41,11 +41,12 @@ struct TestIsland {
     bodies = free;
   }
 
+  Island view() {
+    return {world, kFrame, members, contacts, contacts, manifolds.patches(), {}, {}, free, bodies};
+  }
+
   IslandResult solve(IslandSolver& solver, int iterations, double residual = 1e-9) {
-    const IslandLimits limits{residual * kStepGravity, kStepGravity, iterations, 1e9};
-    return solver.solve(
-        {world, kFrame, members, contacts, contacts, manifolds.patches(), {}, {}, free, bodies},
-        limits);
+    return solver.solve(view(), {residual * kStepGravity, kStepGravity, iterations, 1e9});
   }
 };
 
@@ -185,8 +186,7 @@ TEST_CASE("An island that would cost more than allowed is not changed", "[unit][
   TestIsland island("stack", {{"count", "3"}}, 0.1, 1);
   IslandSolver solver;
   const IslandLimits limits{1e-9, kStepGravity, 20, 1.0};
-  const IslandResult result = solver.solve(island.members, island.contacts, limits, island.free,
-                                           island.manifolds.patches(), island.bodies);
+  const IslandResult result = solver.solve(island.view(), limits);
   CHECK(!result.accepted);
   CHECK(result.iterations == 0);
   for (std::size_t k = 0; k < island.bodies.size(); ++k)
