@@ -80,16 +80,24 @@ TEST_CASE("A deck of cards stands whose cards are thinner than what gravity move
 
 TEST_CASE("Seven of eight heaps of a thousand cubes come to rest, and cost fewer sweeps then",
           "[.long][unit][contact_damped]") {
-  // In the eighth a tower of ten sways. On 2026-11-29 two sway, a third less after each ten seconds: known to fail.
-  constexpr int kHeaps = 8, kSteps = 60;
+  // In the eighth two cubes that touch the rest in two points swing on, as they do with ten times finer steps.
+  constexpr int kHeaps = 8, kSteps = 60, kFiner = 10;
   std::int64_t impulses = 0;
   int rest = 0;
   for (std::uint64_t seed = 1; seed <= kHeaps; ++seed) {
     CAPTURE(seed);
     Simulation simulation(make_scene("clump", {"per_edge=10"}, seed));
     simulation.run_for(40.0);
-    CHECK(test::fastest_of(simulation.world()) < 0.1);
-    if (test::fastest_of(simulation.world()) >= 1e-4) continue;
+    if (test::fastest_of(simulation.world()) >= 1e-4) {
+      World finer = simulation.world();
+      const std::unique_ptr<Technique> technique = simulation.technique().clone();
+      for (int k = 0; k < kFiner * kSteps; ++k) technique->step(finer, kFrame / kFiner);
+      simulation.run_for(kSteps * kFrame);
+      for (int k = 0; k < finer.count(); ++k)
+        CHECK((finer.states()[idx(k)].position_w - simulation.world().states()[idx(k)].position_w)
+                  .norm() < 1e-3);
+      continue;
+    }
     ++rest;
     for (int k = 0; k < kSteps; ++k) {
       const StepReport report = simulation.step();

@@ -84,10 +84,6 @@ inline constexpr double ball_rounding = 1e-14;
 /// [-] Newton steps to the sphere, at most. Reason: they converge quadratically; a few do. (6.3.1)
 inline constexpr int ball_newton_steps = 30;
 
-/// [-] Growth of a change from step to step at which Anderson acceleration begins anew. Reason: sweeps over a heap alternate a
-/// little; when a contact opens, the change grows by tens. (6.3.1)
-inline constexpr double anderson_growth = 2.0;
-
 // --- geometry -----------------------------------------------------------------------------
 
 /// [-] By which part of its separation a preferred axis (a face's, or the remembered one) has to

@@ -21,8 +21,8 @@
 #include "tumble/contact/pivot_update.hpp"
 #include "tumble/contact/sleeping.hpp"
 #include "tumble/contact_damped/island.hpp"
-#include "tumble/contact_damped/island_acceleration.hpp"
 #include "tumble/contact_damped/island_order.hpp"
+#include "tumble/contact_damped/island_part.hpp"
 #include "tumble/contact_damped/island_plan.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
 #include "tumble/contact_damped/persistent_manifolds.hpp"
@@ -163,7 +163,7 @@ class ContactDamped : public Technique {
         impulses_before_bounce;                  // by patch: impulses before something bounced
     KeptSolution kept;                           // of an island, while raised targets are tried
     KeptSolution swept;                          // ditto, while the direct solver is
-    IslandAcceleration acceleration;             // of sweeps over one
+    IslandPart part;                             // of one that sweeps leave
     std::vector<MovingBody> held;                // velocities with friction alone
     PivotUpdate pivots;                          // bodies that are moved together
     std::vector<MovingBody> displacements;       // of the overlap correction

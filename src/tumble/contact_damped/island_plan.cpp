@@ -268,13 +268,16 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
 
 void sweep_quiet_island(const Island& island, const IslandEffort& effort, IslandPlan& plan) {
   const double negligible = negligible_residual(island);
-  plan.method = IslandMethod::accelerate_then_direct;
+  plan.method = IslandMethod::parts_then_direct;
   plan.max_sweeps = swept_within(island, effort, tolerance::loose_sweeps);
   plan.residual = plan.skipped_residual = tolerance::solved_residual * negligible;
   // The direct solver has to find the weight of what begins to rest, but not what a body that leaves changes.
   plan.fair_residual = hardly_moves(island) ? tolerance::fair_quiet_residual * negligible /
                                                   tolerance::contact_settled
                                             : std::numeric_limits<double>::infinity();
+  plan.part = plan.direct;
+  plan.part.residual = tolerance::solved_residual * negligible;
+  plan.part.max_newton_steps = tolerance::small_newton_steps;
 }
 
 }  // namespace tumble

@@ -32,9 +32,9 @@ enum class IslandMethod : std::uint8_t {
   settled,               ///< nothing: it is solved
   sweep,                 ///< more sweeps
   sweep_unless_sinking,  ///< more sweeps; the direct solver where bodies sink deeply, if that leaves less
-  sweep_then_direct,       ///< more sweeps, then the direct solver if they were not enough
-  accelerate_then_direct,  ///< ditto, with the sweeps accelerated
-  direct_then_sweep        ///< the direct solver, or more sweeps if it does not accept the island
+  sweep_then_direct,  ///< more sweeps, then the direct solver if they were not enough
+  parts_then_direct,  ///< ditto, the parts of the island that sweeps leave being solved by themselves
+  direct_then_sweep  ///< the direct solver, or more sweeps if it does not accept the island
 };
 
 /// The method for an island, with its limits.
@@ -53,6 +53,7 @@ struct IslandPlan {
   /// higher one weight does not get through.
   bool sweeps_may_do = false;
   IslandLimits direct;   ///< of the direct solver
+  IslandLimits part;     ///< of the same for a part of the island
   IslandLimits normal;   ///< of its normal impulses alone
   double overlap = 0.0;  ///< [-] share of the shortest edge beyond which these are found
 };

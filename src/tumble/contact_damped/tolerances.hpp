@@ -113,8 +113,8 @@ inline constexpr double max_factor_work = 2e5;
 inline constexpr double quiet_factor_work = 1e7;
 
 /// [-] Change of velocities in the last sweep, as a share of g dt, up to which sweeps hold such an island. Reason: in heaps of a
-/// thousand cubes that become quiet it is 0.2 and falls; in walls that start without impulses it is 0.7 to 1.6. (6.3.1)
-inline constexpr double fair_quiet_residual = 0.3;
+/// thousand cubes that become quiet it is at most 0.34; in walls that start without impulses it is 0.7 to 1.6. (6.3.1)
+inline constexpr double fair_quiet_residual = 0.5;
 
 /// [-] Overlap that is repaired, as a share of the shortest edge. Reason: bodies that sink as slowly as counts as settled stay
 /// within the slop so, which is 1e-5. (4.4)

@@ -1,0 +1,44 @@
+/// \file
+/// \brief The part of an island that sweeps leave unsolved (thesis 6.3.1).
+#pragma once
+
+#include "tumble/contact_damped/island.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace tumble {
+
+/// Finds the bodies of a large island that sweeps still change, so that their patches can be solved together.
+///
+/// In a pile that comes to rest sweeps settle most bodies, but not a tower in it that sways. Its patches are a block of
+/// Gauss-Seidel like the patches of sweeps, only larger: the impulses of all other patches are held meanwhile.
+class IslandPart {
+ public:
+  /// Keeps the velocities of an island, from which a pair of sweeps, one down and one up, begins.
+  void start(const Island& island);
+
+  /// Compares velocities with those.
+  /// \return [m/s] the largest change of a body's fastest point
+  [[nodiscard]] double largest_change(const Island& island) const;
+
+  /// Finds all patches of the few bodies that have changed most.
+  /// \return these patches and all their bodies; `free` are velocities without the impulses of these patches. It is empty if hardly
+  ///         any body has changed, and valid until the next call
+  Island find(const Island& island);
+
+ private:
+  void choose(const Island& island);
+  [[nodiscard]] double change(const Island& island, std::size_t place) const;
+
+  std::vector<MovingBody> before_;  // by the island's bodies: velocities at the start of the pair
+  // Of the part.
+  std::vector<std::pair<double, int>> changes_;  // [m/s] of bodies, with their indices
+  std::vector<char> chosen_;                     // by body index
+  std::vector<int> bodies_;
+  std::vector<int> patches_;
+  std::vector<int> upward_;
+  std::vector<MovingBody> free_;  // by body index
+};
+
+}  // namespace tumble
