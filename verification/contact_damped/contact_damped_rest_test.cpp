@@ -89,13 +89,19 @@ TEST_CASE("Seven of eight heaps of a thousand cubes come to rest, and cost fewer
     Simulation simulation(make_scene("clump", {"per_edge=10"}, seed));
     simulation.run_for(40.0);
     if (test::fastest_of(simulation.world()) >= 1e-4) {
+      const std::vector<BodyState> before(simulation.world().states().begin(),
+                                          simulation.world().states().end());
       World finer = simulation.world();
       const std::unique_ptr<Technique> technique = simulation.technique().clone();
       for (int k = 0; k < kFiner * kSteps; ++k) technique->step(finer, kFrame / kFiner);
       simulation.run_for(kSteps * kFrame);
-      for (int k = 0; k < finer.count(); ++k)
-        CHECK((finer.states()[idx(k)].position_w - simulation.world().states()[idx(k)].position_w)
-                  .norm() < 1e-3);
+      double way = 0.0, apart = 0.0;  // [m] the largest ones
+      for (std::size_t k = 0; k < before.size(); ++k) {
+        const Vec3& now_w = simulation.world().states()[k].position_w;
+        way = std::max(way, (now_w - before[k].position_w).norm());
+        apart = std::max(apart, (now_w - finer.states()[k].position_w).norm());
+      }
+      CHECK(apart < 0.1 * way);
       continue;
     }
     ++rest;

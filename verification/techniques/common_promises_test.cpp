@@ -135,11 +135,13 @@ TEST_CASE("Every technique goes through the same bits again, and from a copy on"
         go_on(world, *technique, 20);
         World copy = world;
         const auto clone = technique->clone();
+        const bool same_contacts = clone->contacts().size() == technique->contacts().size();
         go_on(world, *technique, 20);
         go_on(copy, *clone, 20);
         go_on(again, *made(recipe, set), 40);
         INFO(recipe.name << (set.empty() ? "" : ", " + set[0].first) << ", "
                          << start.name(start.count() - 1));
+        CHECK(same_contacts);
         CHECK(copy.hash().text() == world.hash().text());
         CHECK(again.hash().text() == world.hash().text());
       }

@@ -1,7 +1,7 @@
 /// \file
 /// \brief The default technique: contact patches that stick, slide or open, solved stiffly (thesis 6.3.1).
 ///
-/// Depends on contact, dynamics and geometry, on no other technique.
+/// Depends on contact, contact_patches, dynamics and geometry, on no other technique.
 ///
 /// **Reading order.** This header and ContactDamped::step() in contact_damped.cpp; then what that uses:
 /// 1. contact_patches/contact_patch.hpp: where two bodies touch, the unit of all solving; persistent_manifolds.hpp finds the
@@ -9,20 +9,21 @@
 ///    island_order.hpp groups and orders them.
 /// 2. contact_patches/patch_solver.hpp: one patch by itself (its friction: minimum_in_ball()). island.hpp: a sweep over all
 ///    patches of an island.
-/// 3. solve_island.cpp: the impulses of an island, by one of the methods in island_plan.hpp.
+/// 3. solve_island.cpp: the impulses of an island, by one of the methods in island_plan.hpp; island_block.hpp: what sweeps leave of
+///    it; island_energy.cpp: impulses that would add energy.
 /// 4. island_solver.hpp: the direct solver, in island_setup.cpp, island_solver.cpp (ADMM) and island_newton.cpp
-///    (Newton steps), with the arithmetic of island_parts.hpp.
-/// 5. solve_again.cpp: islands that have to be solved once more; step_parts.hpp: when a step is divided.
-/// 6. bounce.cpp: restitution; correct_and_account.cpp: overlap and the energy account.
+///    (Newton steps), with the arithmetic of island_math.hpp.
+/// 5. missed_and_turning.cpp: islands that have to be solved once more; step_parts.hpp: when a step is divided.
+/// 6. move_bodies.cpp: poses; bounce.cpp and bounce_order.hpp: restitution; correct_and_account.cpp: overlap and the energy account.
 ///
-/// Iteration counts and residuals are in tolerances.hpp.
+/// Iteration counts and residuals are in tolerances.hpp; one that a single file uses is at its head.
 #pragma once
 
 #include "tumble/contact/pivot_update.hpp"
 #include "tumble/contact/sleeping.hpp"
 #include "tumble/contact_damped/island.hpp"
+#include "tumble/contact_damped/island_block.hpp"
 #include "tumble/contact_damped/island_order.hpp"
-#include "tumble/contact_damped/island_part.hpp"
 #include "tumble/contact_damped/island_plan.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
 #include "tumble/contact_damped/persistent_manifolds.hpp"
@@ -47,7 +48,7 @@ struct ContactDampedOptions {
   /// Work on a large island in motion. If its patches times `admm_iterations` exceed it, the island is only swept: budget
   /// over patches times, but at least `sweeps` times and at most 24, or 100 if little of it moves (or `sweeps`, if more).
   /// A step is not divided any more for bounces that follow each other when it has cost twice as much. A quiet island that
-  /// costs too much to solve at once is swept within it, too, as long as that holds it up.
+  /// costs too much to solve at once is swept within it, too, as long as sweeps keep it from sinking.
   /// Of 1000 cubes that fall together a step takes about 20 ms so.
   int budget = 50000;
   int correction_sweeps = 50;  ///< of the overlap correction, at most; at least 1
@@ -71,18 +72,18 @@ struct ContactDampedOptions {
 /// so far that it would sink into another, a bounce sends a body on towards another (time_to_first_bounce()), or
 /// ContactDampedOptions::parts asks for more:
 /// 1. Velocities get their share of gravity.
-/// 2. Contact patches are found at the start of the step, where bodies touch or will within it, and kept while
+/// 2. Contact patches are found where bodies touch, or will within the time that is left of the step, and kept while
 ///    their bodies rest (PersistentManifolds). They are grouped by islands (IslandOrder).
 /// 3. Each island is solved by solve_island(). It starts with the impulses of the step before and one Gauss-Seidel
 ///    sweep down; if that changes something, one up. If it is not settled, plan_island() chooses: a bounded number of sweeps in
 ///    a heap in which much moves; where little of a large island does, sweeps as long as they converge; more sweeps where it
-///    slides, is nearly done, or is a large heap that comes to rest; all patches at once (IslandSolver) elsewhere, and where
-///    sweeps were not enough. Impulses that would add much energy are corrected by sweeps. Where much moves and bodies would
-///    still sink deeply, all patches at once
-///    are tried, too; where they sink all the same, normal impulses are found by themselves. An island is solved again where
+///    slides; in a large heap that comes to rest, sweeps and then the bodies that these leave, by themselves (IslandBlock);
+///    all patches at once (IslandSolver) elsewhere, and where sweeps were not enough. Impulses that would add much energy are
+///    corrected by sweeps. Where much moves and bodies would still sink deeply, all patches at once are tried, too; where they
+///    sink all the same, normal impulses are found by themselves. An island is solved again where
 ///    bodies are sent into others that were out of reach, and where they turn so far that they sink along the way.
-/// 4. Bodies that push something immovable, or others that do, move with their velocity at the end of the step; the others fly
-///    their parabola. One that turns by more than a quarter of a radian does so in parts of the step, since no rule keeps its
+/// 4. Bodies held by something immovable move with their velocity at the end of the step, which is what contacts ask for; the
+///    others fly their parabola, also those that only push each other. One that turns by more than a quarter of a radian does so in parts of the step, since no rule keeps its
 ///    energy at once. Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate), unless they would sink so.
 /// 5. Fast impacts bounce by Newton's restitution, at all points of an island at once: points that push and were
 ///    approached part with e times the speed on arrival, those that push without approach stay together. More sweeps find
@@ -102,8 +103,9 @@ struct ContactDampedOptions {
 /// \par Cost
 /// At rest about 0.4 us for each pair that touches.
 /// \par Extending it
-/// Another solver for an island is one more IslandMethod with its limits in IslandPlan: plan_island() chooses it,
-/// solve_island() runs it, and what it keeps between steps is a member of ContactDamped::Memory. Its result is, within the
+/// Another solver for an island is one more IslandMethod with its limits in IslandPlan: plan_island() chooses it, run_plan() runs
+/// it, accept() judges it, and what it keeps between steps is a member of ContactDamped::Memory. It counts its work in
+/// StepReport::iterations. Its result is, within the
 /// cones of friction, the `impulse` of each point and the three sums of friction of each patch, and in Island::now the
 /// velocities that these impulses give, with MovingBody::changed of each body that gets one.
 /// ContactPatchPoint::solver_impulse stays if it has no friction by point.
@@ -162,8 +164,8 @@ class ContactDamped : public Technique {
     std::vector<PatchImpulses>
         impulses_before_bounce;                  // by patch: impulses before something bounced
     KeptSolution kept;                           // of an island, while raised targets are tried
-    KeptSolution swept;                          // ditto, while the direct solver is
-    IslandPart part;                             // of one that sweeps leave
+    KeptSolution kept_swept;                     // ditto, while the direct solver is
+    IslandBlock block;                           // of one that sweeps leave
     std::vector<MovingBody> held;                // velocities with friction alone
     PivotUpdate pivots;                          // bodies that are moved together
     std::vector<MovingBody> displacements;       // of the overlap correction

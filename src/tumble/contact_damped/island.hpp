@@ -52,7 +52,7 @@ struct SpeedRange {
   double higher = 0.0;  ///< [-] ditto
   double moving =
       0.0;  ///< [-] share of the patches that are faster than tolerance::moving_speed both times
-  /// None is, or all that are belong to few bodies: one that slides over others moves, they do not, however many it touches.
+  /// No patch moves, or all that move belong to few bodies: one that slides over others moves, they do not, however many it touches.
   bool few = false;
 };
 
@@ -109,10 +109,6 @@ double sweep(const Island& island, SweepOrder order, int patch_iterations, doubl
 /// \return [-] the deepest, as a share of the shortest edge of its pair
 [[nodiscard]] double overlap_of_sinking(const Island& island);
 
-/// Sets the velocities to those of the impulses, after these have been changed.
-/// \param island  `now` is changed
-void velocities_from_impulses(const Island& island);
-
 /// Copies the bodies of an island's patches, the immovable ones too.
 /// \param from    by body index
 /// \param to      by body index; those of other islands stay as they are
@@ -139,15 +135,17 @@ void discard_impulses(const Island& island);
 class KeptSolution {
  public:
   /// Keeps those of now.
-  /// \param in_flight  by body index: whether a body flies its parabola
-  void keep(const Island& island, std::span<const char> in_flight);
+  /// \param in_flight  by body index: whether a body flies its parabola; empty before that is decided
+  void keep(const Island& island, std::span<const char> in_flight = {});
   /// Goes back to them.
-  void restore(const Island& island, std::span<char> in_flight) const;
+  /// \param in_flight  as in keep()
+  void restore(const Island& island, std::span<char> in_flight = {}) const;
 
  private:
   struct KeptPatch {
     PatchImpulses impulses;
     std::array<double, Manifold::kMostPoints> targets;
+    std::array<Vec3, Manifold::kMostPoints> solver_impulses;
     bool targets_planar;
     bool solved_directly;
   };

@@ -1,7 +1,7 @@
 /// \file
 /// \brief The direct solver: Newton steps where ADMM does not converge.
 #include "tumble/base/index.hpp"
-#include "tumble/contact_damped/island_parts.hpp"
+#include "tumble/contact_damped/island_math.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 

@@ -7,8 +7,6 @@
 #include "tumble/contact_patches/tolerances.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace tumble {
@@ -61,8 +59,8 @@ bool has_sliding_patch(const Island& island, double unit_speed) {
 }
 
 // The largest stiffness of springs in a small island. Where nothing determines impulses, as in wedged boxes, springs
-// leave rounding in them, enlarged by their stiffness; but that is a multiple of the mass of the two bodies that
-// a spring joins, and they may have to carry heavier ones.
+// leave rounding in them, enlarged by their stiffness; but that is a multiple of the mass that a point resists with, and it may
+// have to carry heavier bodies.
 double stiffness_for_masses(const Island& island) {
   double lightest = std::numeric_limits<double>::infinity(), heaviest = 0.0;
   for (const int k : island.bodies) {
@@ -143,6 +141,26 @@ int swept_within(const Island& island, const IslandEffort& effort, int most) {
   return std::clamp(within, effort.sweeps, std::max(effort.sweeps, most));
 }
 
+// Whether sweeps may replace the direct solver in a quiet island if that costs too much: it has no more levels of support than a
+// step has sweeps. In a higher one weight does not get through.
+bool sweeps_may_do(const Island& island, const IslandEffort& effort) {
+  return effort.admm_iterations > 0 &&
+         island.levels <= swept_within(island, effort, tolerance::loose_sweeps);
+}
+
+// The plan of a quiet island that costs too much to solve at once: sweeps settle it within some hundred steps. Where they do
+// not come near the direct solver still follows.
+void sweep_quiet_island(const Island& island, const IslandEffort& effort, IslandPlan& plan) {
+  const double negligible = negligible_residual(island);
+  plan.method = IslandMethod::blocks_then_direct;
+  plan.max_sweeps = swept_within(island, effort, tolerance::loose_sweeps);
+  plan.residual = plan.skipped_residual = tolerance::solved_residual * negligible;
+  // The direct solver has to find the weight of what begins to rest, but not what a body that leaves changes.
+  plan.fair_residual = hardly_moves(island) ? tolerance::fair_quiet_residual * negligible /
+                                                  tolerance::contact_settled
+                                            : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 bool has_to_be_swept(const Island& island, const SpeedRange& speed, const IslandEffort& effort) {
@@ -191,7 +209,8 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
   return first;
 }
 
-IslandPlan plan_island(const Island& island, const FirstSweeps& first, const IslandEffort& effort) {
+IslandPlan plan_island(const Island& island, const FirstSweeps& first, const IslandEffort& effort,
+                       IslandSolver& solver) {
   IslandPlan plan;
   if (first.settled) return plan;
   const double negligible = negligible_residual(island);
@@ -249,8 +268,9 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
       plan.max_sweeps = effort.sweeps;
       plan.residual = tolerance::solved_residual * negligible;
       plan.direct = quiet_limits(island, effort.admm_iterations);
-      plan.sweeps_may_do = effort.admm_iterations > 0 &&
-                           island.levels <= swept_within(island, effort, tolerance::loose_sweeps);
+      if (sweeps_may_do(island, effort) &&
+          solver.costs_more_than(tolerance::quiet_factor_work, island))
+        sweep_quiet_island(island, effort, plan);
       break;
   }
   if (first.nearly_solved) plan.direct.near = tolerance::nearly_solved * negligible;
@@ -259,25 +279,15 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   plan.normal = plan.direct;
   plan.normal.residual = tolerance::loose_residual * unit_speed;
   plan.normal.max_newton_steps = tolerance::small_newton_steps;
+  plan.block = plan.direct;
+  plan.block.residual = tolerance::solved_residual * negligible;
+  plan.block.max_newton_steps = tolerance::small_newton_steps;
+  plan.block.near = 0.0;
   if (kind == IslandKind::small) return plan;
   for (int* const count :
        {&plan.max_sweeps, &plan.direct.max_iterations, &plan.direct.max_newton_steps})
     *count = (*count + effort.parts - 1) / effort.parts;
   return plan;
-}
-
-void sweep_quiet_island(const Island& island, const IslandEffort& effort, IslandPlan& plan) {
-  const double negligible = negligible_residual(island);
-  plan.method = IslandMethod::parts_then_direct;
-  plan.max_sweeps = swept_within(island, effort, tolerance::loose_sweeps);
-  plan.residual = plan.skipped_residual = tolerance::solved_residual * negligible;
-  // The direct solver has to find the weight of what begins to rest, but not what a body that leaves changes.
-  plan.fair_residual = hardly_moves(island) ? tolerance::fair_quiet_residual * negligible /
-                                                  tolerance::contact_settled
-                                            : std::numeric_limits<double>::infinity();
-  plan.part = plan.direct;
-  plan.part.residual = tolerance::solved_residual * negligible;
-  plan.part.max_newton_steps = tolerance::small_newton_steps;
 }
 
 }  // namespace tumble

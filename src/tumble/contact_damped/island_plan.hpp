@@ -1,5 +1,5 @@
 /// \file
-/// \brief The plan by which an island is solved: one of four methods or none, with its limits (thesis 6.3.1).
+/// \brief The plan by which an island is solved: one of five methods, or none, with its limits (thesis 6.3.1).
 #pragma once
 
 #include "tumble/contact_damped/island.hpp"
@@ -32,9 +32,9 @@ enum class IslandMethod : std::uint8_t {
   settled,               ///< nothing: it is solved
   sweep,                 ///< more sweeps
   sweep_unless_sinking,  ///< more sweeps; the direct solver where bodies sink deeply, if that leaves less
-  sweep_then_direct,  ///< more sweeps, then the direct solver if they were not enough
-  parts_then_direct,  ///< ditto, the parts of the island that sweeps leave being solved by themselves
-  direct_then_sweep  ///< the direct solver, or more sweeps if it does not accept the island
+  sweep_then_direct,   ///< more sweeps, then the direct solver if they were not enough
+  blocks_then_direct,  ///< ditto, the blocks that sweeps leave being solved by themselves
+  direct_then_sweep    ///< the direct solver, or more sweeps if it does not accept the island
 };
 
 /// The method for an island, with its limits.
@@ -49,13 +49,10 @@ struct IslandPlan {
   bool while_halving = false;       ///< sweeps end if four of them do not halve the residual
   double slow_approach = 0.0;       ///< [m/s] limit of approach_of_slow_patches()
   int sweeps_if_unconverged = 0;    ///< sweeps that follow if the direct solver does not converge
-  /// If it costs too much to solve at once: it is large and quiet, and has no more levels of support than a step has sweeps. In a
-  /// higher one weight does not get through.
-  bool sweeps_may_do = false;
-  IslandLimits direct;   ///< of the direct solver
-  IslandLimits part;     ///< of the same for a part of the island
-  IslandLimits normal;   ///< of its normal impulses alone
-  double overlap = 0.0;  ///< [-] share of the shortest edge beyond which these are found
+  IslandLimits direct;              ///< of the direct solver
+  IslandLimits block;               ///< of the same for a block of the island
+  IslandLimits normal;              ///< of its normal impulses alone
+  double overlap = 0.0;             ///< [-] share of the shortest edge beyond which these are found
 };
 
 /// The first sweeps over an island: one down, which changes nothing at rest; if it does, one up. In a large and quiet one that
@@ -65,9 +62,8 @@ struct IslandPlan {
 /// \param direct_last_step    whether the direct solver was used for it in the step before
 FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport& report);
 
-/// Whether sweeps have to do for an island: in a large one much of which moves, contacts change before weight gets through all
-/// of it; and where anything moves, it costs no more than its budget. A small one much of which moves is swept if there are many
-/// such.
+/// Whether sweeps come first: much of a large island moves, so that contacts change before weight gets through all of it; or some of
+/// it moves, and the direct solver exceeds the budget; or much of a small one moves, and there are many such.
 /// \param island  with the impulses so far
 [[nodiscard]] bool has_to_be_swept(const Island& island, const SpeedRange& speed,
                                    const IslandEffort& effort);
@@ -80,12 +76,9 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
 [[nodiscard]] bool are_too_many(std::int64_t patches, const IslandEffort& effort);
 
 /// Chooses how an island is solved.
-/// \param island      after sweep_first()
-IslandPlan plan_island(const Island& island, const FirstSweeps& first, const IslandEffort& effort);
-
-/// Changes the plan of a quiet island that costs too much to solve at once: sweeps settle it within some hundred steps.
-/// Where they do not come near the direct solver still follows.
-/// \param island  one with IslandPlan::sweeps_may_do
-void sweep_quiet_island(const Island& island, const IslandEffort& effort, IslandPlan& plan);
+/// \param island  after sweep_first()
+/// \param solver  says what a factorization costs
+IslandPlan plan_island(const Island& island, const FirstSweeps& first, const IslandEffort& effort,
+                       IslandSolver& solver);
 
 }  // namespace tumble

@@ -3,7 +3,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/graph.hpp"
-#include "tumble/contact_damped/island_parts.hpp"
+#include "tumble/contact_damped/island_math.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 
@@ -65,7 +65,8 @@ void IslandSolver::load(const Island& island, std::span<const MovingBody> free, 
       joined_.push_back({constraint.first, constraint.second});
     }
     constraint.begin = static_cast<int>(points_.size());
-    double load = std::numeric_limits<double>::infinity();  // [kg] of the body that is carried
+    double load =
+        std::numeric_limits<double>::infinity();  // [kg] the smaller one of its two bodies
     for (const int member : {constraint.first, constraint.second})
       if (member >= 0) load = std::min(load, members_[idx(member)].load);
     load_points(patch, load, law);
@@ -132,7 +133,7 @@ bool IslandSolver::costs_more_than(double most, const Island& island) {
   return static_cast<double>(matrix_.multiplications_of_factor()) > most;
 }
 
-// Whether factors would. Finds out where they have entries.
+// Whether factors would, for each member. Finds out where they have entries, which factor() needs.
 bool IslandSolver::costs_too_much(double max_work) {
   matrix_.analyse(static_cast<int>(members_.size()), joined_);
   return static_cast<double>(matrix_.multiplications_of_factor()) >

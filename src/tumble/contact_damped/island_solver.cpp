@@ -3,7 +3,7 @@
 #include "tumble/contact_damped/island_solver.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/contact_damped/island_parts.hpp"
+#include "tumble/contact_damped/island_math.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>

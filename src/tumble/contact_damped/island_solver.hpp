@@ -23,7 +23,7 @@ struct IslandLimits {
   int max_iterations = 20;  ///< ADMM iterations, at least 1
   double max_work = 0.0;    ///< [-] multiplications of a factorization for each body, at most
   double max_stiffness = tolerance::admm_max_stiffness;  ///< [-] of the springs of ADMM
-  int max_newton_steps = 100;                            ///< after ADMM; each factors the matrix
+  int max_newton_steps = 100;                            ///< each factors the matrix
   /// [m/s] Error of a point's shift that is accepted after Newton steps. Above 0 their result is also
   /// taken when they have not converged, if it is in balance and its residual much smaller than before.
   double shift_tolerance = 0.0;

@@ -12,9 +12,9 @@
 namespace tumble {
 namespace {
 
-// [-] Solutions of parts of a large quiet island in a step, at most. Reason: with one a heap of a thousand cubes takes thirty
+// [-] Solutions of blocks of a large quiet island in a step, at most. Reason: with one a heap of a thousand cubes takes thirty
 // seconds to come to rest, with three fifteen, with six no less. (6.3.1)
-constexpr int kPartRounds = 3;
+constexpr int kBlockRounds = 3;
 
 // The k-th sweep over an island, from 0 on: down and up in turn. Returns the largest change of a velocity.
 double sweep_number(int k, const Island& island, const IslandPlan& plan, StepReport& report) {
@@ -61,31 +61,30 @@ bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& 
   return result.accepted;
 }
 
-// Solves a part of an island, and goes back if that does not converge.
-void solve_part(const Island& part, const IslandPlan& plan, IslandSolver& solver,
-                KeptSolution& before, std::span<char> in_flight, StepReport& report) {
-  if (part.bodies.empty()) return;
-  before.keep(part, in_flight);
-  const IslandResult result = solver.solve(part, plan.part);
+// Solves a block of an island, and goes back if that does not converge.
+void solve_block(const Island& block, const IslandPlan& plan, IslandSolver& solver,
+                 KeptSolution& before, StepReport& report) {
+  if (block.bodies.empty()) return;
+  before.keep(block);
+  const IslandResult result = solver.solve(block, plan.block);
   report.pivots += result.factorizations;
-  if (!result.converged && !result.improved) before.restore(part, in_flight);
+  if (!result.converged && !result.improved) before.restore(block);
 }
 
-// Pairs of sweeps, down and up, and then a few times the part that they leave unsolved, each time with another pair. Returns
+// Pairs of sweeps, down and up, and then a few times the block that they leave unsolved, each time with another pair. Returns
 // whether that was enough.
-bool sweep_and_solve_parts(const Island& island, const IslandPlan& plan, IslandPart& part,
-                           IslandSolver& solver, KeptSolution& before, std::span<char> in_flight,
-                           StepReport& report) {
-  const int pairs = (plan.max_sweeps - 2) / 2;
+bool sweep_and_solve_blocks(const Island& island, const IslandPlan& plan, IslandBlock& left,
+                            IslandSolver& solver, KeptSolution& before, StepReport& report) {
+  const int pairs = std::max(1, (plan.max_sweeps - 2) / 2);
   double residual = 0.0;
-  for (int k = 0; k < pairs + kPartRounds; ++k) {
-    if (k >= pairs) solve_part(part.find(island), plan, solver, before, in_flight, report);
-    part.start(island);
+  for (int k = 0; k < pairs + kBlockRounds; ++k) {
+    if (k >= pairs) solve_block(left.find(island), plan, solver, before, report);
+    left.start(island);
     for (int way = 0; way < 2; ++way) {
       residual = sweep_number(way, island, plan, report);
       if (residual < plan.residual) return true;
     }
-    if (part.largest_change(island) < plan.residual) return true;
+    if (left.largest_change(island) < plan.residual) return true;
   }
   return residual < plan.fair_residual;
 }
@@ -93,16 +92,16 @@ bool sweep_and_solve_parts(const Island& island, const IslandPlan& plan, IslandP
 // Of the impulses that sweeps have found, and those of the direct solver, the ones with which bodies sink less into each
 // other. Where little sinks the direct solver is not tried. Returns whether its impulses were taken.
 bool solve_if_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
-                      KeptSolution& before, std::span<char> in_flight, StepReport& report) {
+                      KeptSolution& before, StepReport& report) {
   const double swept = deepest_sinking(island);
   if (swept < tolerance::deep_sinking) return false;
-  before.keep(island, in_flight);
+  before.keep(island);
   if (solve_directly(island, plan, solver, report) && deepest_sinking(island) < swept) return true;
-  before.restore(island, in_flight);
+  before.restore(island);
   return false;
 }
 
-// Impulses of the direct solver that add energy are no solution, but are near one. Each sweep that begins with them takes
+// Impulses that add energy, swept or of the direct solver, are no solution, but are near one. Each sweep that begins with them takes
 // energy; enough are made where they add little, and slow patches are held. Where they do not get there, sweeps begin
 // without impulses, and add none whatever their number. Returns the share of the impulses that adds no energy.
 double sweep_without_gain(const Island& island, const IslandPlan& plan, StepReport& report) {
@@ -207,18 +206,15 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
   // One sweep from the top down, as weight goes: at rest it finds nothing
   // to do. Another one up, as support goes, shows whether sweeps converge.
   const FirstSweeps first = sweep_first(island, direct_last_step, report);
-  IslandPlan plan = plan_island(island, first, effort());
-  if (plan.sweeps_may_do &&
-      memory_.island_solver.costs_more_than(tolerance::quiet_factor_work, island))
-    sweep_quiet_island(island, effort(), plan);
+  const IslandPlan plan = plan_island(island, first, effort(), memory_.island_solver);
   if (plan.discard_warm_start) discard_impulses(island);
   accept(island, plan, run_plan(island, plan, first, report), report);
   // [S6.3.1:island]
   storage_.work += (report.iterations - before) * std::ssize(island.patch_indices);
 }
 
-// With patches or targets that are new. In an island that is left to sweeps few of them are: sweeps go on from its impulses.
-// Others begin as in the first time.
+// Solves an island again whose patches or targets are new. In one that is left to sweeps few of them are: sweeps go on from its
+// impulses. Others begin as in the first time.
 void ContactDamped::solve_again(const Island& island, StepReport& report) {
   for (const int body : island.bodies) storage_.in_flight[idx(body)] = 1;
   if (!has_to_be_swept(island, speed_range(island), effort())) {
@@ -227,7 +223,7 @@ void ContactDamped::solve_again(const Island& island, StepReport& report) {
     return;
   }
   note_approach(island);
-  const IslandPlan plan = plan_island(island, {}, effort());
+  const IslandPlan plan = plan_island(island, {}, effort(), memory_.island_solver);
   sweep_at_most(options_.sweeps, island, plan, report);
   accept(island, plan, false, report);
 }
@@ -247,17 +243,16 @@ bool ContactDamped::run_plan(const Island& island, const IslandPlan& plan, const
     case IslandMethod::sweep_unless_sinking:
       // Much of it moves, and there is time for the direct solver.
       if (!sweep_on(island, plan, first, report))
-        direct = solve_if_sinking(island, plan, memory_.island_solver, storage_.swept,
-                                  storage_.in_flight, report);
+        direct = solve_if_sinking(island, plan, memory_.island_solver, storage_.kept_swept, report);
       break;
     case IslandMethod::sweep_then_direct:
       // It moves fast, slides, or sweeps converge.
       if (!sweep_on(island, plan, first, report)) direct = directly();
       break;
-    case IslandMethod::parts_then_direct:
-      // It is at rest, and too large to solve at once.
-      if (!sweep_and_solve_parts(island, plan, storage_.part, memory_.island_solver, storage_.swept,
-                                 storage_.in_flight, report))
+    case IslandMethod::blocks_then_direct:
+      // It is quiet, and too costly to solve at once in each step.
+      if (!sweep_and_solve_blocks(island, plan, storage_.block, memory_.island_solver,
+                                  storage_.kept_swept, report))
         direct = directly();
       break;
     case IslandMethod::direct_then_sweep:
@@ -290,7 +285,7 @@ void ContactDamped::accept(const Island& island, const IslandPlan& plan, bool di
   decide_flight(island, storage_.in_flight);
   limit_energy(island, share, report);
   if (plan.method != IslandMethod::settled && plan.method != IslandMethod::sweep)
-    stop_sinking(island, plan, memory_.island_solver, storage_.swept, storage_.held,
+    stop_sinking(island, plan, memory_.island_solver, storage_.kept_swept, storage_.held,
                  storage_.in_flight, report);
 }
 

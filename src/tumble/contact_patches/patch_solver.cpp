@@ -203,7 +203,7 @@ bool is_solved(const ContactPatch& patch, const Six& motion, double residual) {
   double normal = 0.0, lever = 0.0;
   for (const ContactPatchPoint& p : patch.used()) {
     const double wrong = speed_at(p, motion) - p.target;
-    if (!(wrong >= -residual && p.impulse >= 0.0)) return false;  // extrapolated ones may pull
+    if (!(wrong >= -residual)) return false;
     if (!(p.impulse > 0.0)) continue;
     const double along = motion[0] - p.across * motion[5];
     const double across = motion[1] + p.along * motion[5];

@@ -37,7 +37,10 @@ Microcollisions::Microcollisions(const MicrocollisionsOptions& options)
 }
 
 Microcollisions::Microcollisions(const Microcollisions& other)
-    : Cloned(other), options_(other.options_), broad_phase_(other.broad_phase_->clone()) {}
+    : Cloned(other),
+      options_(other.options_),
+      broad_phase_(other.broad_phase_->clone()),
+      records_(other.records_) {}
 
 StepReport Microcollisions::step(World& world, double dt) {
   require_step(dt, {.resolution = kResolution});

@@ -92,8 +92,10 @@ class TimewarpFrame {
   /// Makes the frame.
   /// \throws std::invalid_argument for an option out of range
   TimewarpFrame(const TimewarpOptions& options, SearchMethod method);
-  /// A copy with options only; no other state is kept from frame to frame.
-  TimewarpFrame(const TimewarpFrame& other) : TimewarpFrame(other.options_, other.method_) {}
+  /// A copy with options and contacts; no other state is kept from frame to frame.
+  TimewarpFrame(const TimewarpFrame& other) : TimewarpFrame(other.options_, other.method_) {
+    records_ = other.records_;
+  }
 
   /// Starts a frame.
   /// \param world     all bodies; kept until finish()

@@ -1,5 +1,5 @@
 /// \file
-/// \brief The part of an island that sweeps leave unsolved (thesis 6.3.1).
+/// \brief The block of an island that sweeps leave unsolved (thesis 6.3.1).
 #pragma once
 
 #include "tumble/contact_damped/island.hpp"
@@ -13,7 +13,7 @@ namespace tumble {
 ///
 /// In a pile that comes to rest sweeps settle most bodies, but not a tower in it that sways. Its patches are a block of
 /// Gauss-Seidel like the patches of sweeps, only larger: the impulses of all other patches are held meanwhile.
-class IslandPart {
+class IslandBlock {
  public:
   /// Keeps the velocities of an island, from which a pair of sweeps, one down and one up, begins.
   void start(const Island& island);
@@ -32,7 +32,7 @@ class IslandPart {
   [[nodiscard]] double change(const Island& island, std::size_t place) const;
 
   std::vector<MovingBody> before_;  // by the island's bodies: velocities at the start of the pair
-  // Of the part.
+  // Of the block.
   std::vector<std::pair<double, int>> changes_;  // [m/s] of bodies, with their indices
   std::vector<char> chosen_;                     // by body index
   std::vector<int> bodies_;

@@ -1,6 +1,6 @@
 /// \file
-/// \brief The part of an island that sweeps leave unsolved.
-#include "tumble/contact_damped/island_part.hpp"
+/// \brief The block of an island that sweeps leave unsolved.
+#include "tumble/contact_damped/island_block.hpp"
 
 #include "tumble/base/index.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
@@ -22,12 +22,12 @@ constexpr double kLeastChange = 1e-3;
 
 }  // namespace
 
-void IslandPart::start(const Island& island) {
+void IslandBlock::start(const Island& island) {
   before_.clear();
   for (const int k : island.bodies) before_.push_back(island.now[idx(k)]);
 }
 
-double IslandPart::change(const Island& island, std::size_t place) const {
+double IslandBlock::change(const Island& island, std::size_t place) const {
   const int k = island.bodies[place];
   const MovingBody& now = island.now[idx(k)];
   return fastest_point_speed(island.world.bodies()[idx(k)],
@@ -35,14 +35,14 @@ double IslandPart::change(const Island& island, std::size_t place) const {
                              now.angular_velocity_w - before_[place].angular_velocity_w);
 }
 
-double IslandPart::largest_change(const Island& island) const {
+double IslandBlock::largest_change(const Island& island) const {
   double most = 0.0;
   for (std::size_t i = 0; i < before_.size(); ++i) most = std::max(most, change(island, i));
   return most;
 }
 
 // Marks the bodies that have changed most.
-void IslandPart::choose(const Island& island) {
+void IslandBlock::choose(const Island& island) {
   const double least = kLeastChange * negligible_residual(island) / tolerance::contact_settled;
   changes_.clear();
   for (std::size_t i = 0; i < before_.size(); ++i)
@@ -54,7 +54,7 @@ void IslandPart::choose(const Island& island) {
   for (const auto& [by, body] : changes_) chosen_[idx(body)] = 1;
 }
 
-Island IslandPart::find(const Island& island) {
+Island IslandBlock::find(const Island& island) {
   choose(island);
   const auto keep_chosen = [](std::span<const int> from, std::vector<int>& to,
                               const auto& is_chosen) {
@@ -66,22 +66,22 @@ Island IslandPart::find(const Island& island) {
     const ContactPatch& patch = island.all_patches[idx(contact)];
     return chosen_[idx(patch.first)] != 0 || chosen_[idx(patch.second)] != 0;
   };
-  Island part = island;
-  part.patch_indices = keep_chosen(island.patch_indices, patches_, of_chosen);
-  part.upward = keep_chosen(island.upward, upward_, of_chosen);
+  Island block = island;
+  block.patch_indices = keep_chosen(island.patch_indices, patches_, of_chosen);
+  block.upward = keep_chosen(island.upward, upward_, of_chosen);
   // Its bodies, moved by all other patches.
-  copy_bodies(part, island.now, free_);
-  for (const int contact : part.patch_indices) {
+  copy_bodies(block, island.now, free_);
+  for (const int contact : block.patch_indices) {
     const ContactPatch& patch = island.all_patches[idx(contact)];
     Six back = impulse_of(patch);
     for (double& impulse : back) impulse = -impulse;
     apply(back, patch, free_[idx(patch.first)], free_[idx(patch.second)]);
     chosen_[idx(patch.first)] = chosen_[idx(patch.second)] = 1;
   }
-  part.free = free_;
-  part.bodies =
+  block.free = free_;
+  block.bodies =
       keep_chosen(island.bodies, bodies_, [&](int body) { return chosen_[idx(body)] != 0; });
-  return part;
+  return block;
 }
 
 }  // namespace tumble
