@@ -17,7 +17,6 @@ class WrappedTechnique : public Technique {
  public:
   ~WrappedTechnique() override = default;
 
-  /// \return the name of the wrapped technique
   [[nodiscard]] std::string_view name() const override { return inner_->name(); }
   [[nodiscard]] std::span<const ContactRecord> contacts() const override {
     return inner_->contacts();

@@ -26,7 +26,6 @@ class FollowingFilter : public PoseFilter {
 
  private:
   /// Updates the displayed pose of a body.
-  /// \param now   its computed state
   /// \param dt    [s] since the last frame
   /// \param body  `shown` in and out; `computed` is that of the last frame
   virtual void follow(const BodyState& now, double dt, FollowedBody& body) const = 0;

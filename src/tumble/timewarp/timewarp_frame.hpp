@@ -118,7 +118,6 @@ class TimewarpFrame {
 
   /// Finds the collisions of some bodies, each pair once: addCollisionsForObject.
   /// \param bodies  indices, ascending; their valid and test states must be up to date
-  /// \param heap    receives the collisions
   void add_collisions_of(std::span<const int> bodies, CollisionHeap& heap);
 
   /// The bodies that may have touched one of two by a time, the two included: findNearObjects. Their
@@ -149,7 +148,6 @@ class TimewarpFrame {
   /// Passes the present state to a watcher.
   /// \param watcher  nullptr: none
   /// \param current  the collision just resolved; nullptr: none yet
-  /// \param heap     the queue
   void show(TimewarpWatcher* watcher, const ForeseenCollision* current,
             const CollisionHeap& heap) const;
 
