@@ -6,9 +6,8 @@
 #include "tumble/record/recorded_run.hpp"
 #include "tumble/record/table_file.hpp"
 
+#include "drawing_programs.hpp"
 #include "frames.hpp"
-#include "moving.hpp"
-#include "png.hpp"
 #include "request.hpp"
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Pictures by gnuplot and videos by ffmpeg, which run as programs of their own.
+/// \brief Pictures by gnuplot and videos by ffmpeg, which run as programs of their own, and pixels as PNG.
 #pragma once
 
 #include "tumble/pictures/raster.hpp"
@@ -27,5 +27,10 @@ void draw_with_gnuplot(const std::filesystem::path& folder, const std::string& s
 /// \throws CannotWrite if ffmpeg is missing, naming its package, or fails; and whatever `frame` throws
 void write_video(const std::filesystem::path& path, int frames, double rate,
                  const std::function<Raster(int)>& frame);
+
+/// Writes pixels as a PNG.
+/// \param path    of the picture, its folder there
+/// \throws CannotWrite if it cannot be written, or if the command was built without stb, naming its package
+void write_png(const std::filesystem::path& path, const Raster& pixels);
 
 }  // namespace tumble::app

@@ -1,7 +1,5 @@
 /// \file
 /// \brief The frames of a film, and writing it.
-#include "moving.hpp"
-
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/pictures/gif.hpp"

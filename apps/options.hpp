@@ -13,16 +13,13 @@
 namespace tumble::app {
 
 /// Refuses a word that is no number.
-/// \return a check for an option
 CLI::Validator number();
 
 /// Refuses a word that is no whole number.
 /// \param most the largest one that is taken; the smallest is 0
-/// \return a check for an option
 CLI::Validator whole(std::uint64_t most);
 
 /// Refuses a word without letters, as an unset variable of a shell leaves it.
-/// \return a check for an option
 CLI::Validator not_empty();
 
 /// Adds an option that takes items separated by commas, none of them empty.
@@ -34,26 +31,20 @@ void add_list(CLI::App& command, const std::string& option, const std::string& h
 
 /// Adds the options about recording.
 /// \param run     `tumble run` or `tumble view`
-/// \param request takes the typed values
 void add_recording_options(CLI::App& run, Request& request);
 
 /// Adds the choice of a sampled motion.
 /// \param command `tumble view` or `tumble render`
-/// \param motion  takes the typed value
 void add_motion_option(CLI::App& command, std::optional<int>& motion);
 
 /// Adds the scene and the options of every command that runs it.
 /// \param command `tumble run`, `tumble compare`, `tumble sample` or `tumble view`
-/// \param request takes the typed values
 void add_run_options(CLI::App& command, Request& request);
 
 /// Adds what `tumble sample` has beside the scene.
-/// \param request takes the typed values
-/// \param sample  takes the typed values
 void add_sample_options(CLI::App& command, Request& request, SampleRequest& sample);
 
 /// Adds the options of `tumble render`.
-/// \param request takes the typed values
 void add_render_options(CLI::App& command, RenderRequest& request);
 
 /// The end of the help on scenes: examples, and the format of a scene file.

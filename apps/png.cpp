@@ -1,8 +1,8 @@
 /// \file
 /// \brief The one source that compiles stb_image_write.
-#include "png.hpp"
-
 #include "tumble/record/table_file.hpp"
+
+#include "drawing_programs.hpp"
 
 #ifdef TUMBLE_STB
 #define STB_IMAGE_WRITE_STATIC

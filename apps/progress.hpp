@@ -34,7 +34,6 @@ class TerminalLine {
 class ProgressLine : public RunObserver {
  public:
   /// Prepares the line.
-  /// \param label     what runs
   /// \param duration  [s] simulated time of the whole run
   /// \param quiet     never show it
   ProgressLine(std::string label, double duration, bool quiet);

@@ -62,7 +62,6 @@ std::filesystem::path output_folder(const Request& request, const std::string& k
                                     const std::string& last);
 
 /// Looks up scene, technique and settings, and checks them.
-/// \return ready to run
 /// \throws std::invalid_argument for an unknown scene, technique or key, a value out of range, or
 ///         a bare key that both the scene and the technique have, or a folder that holds the scene
 ResolvedRequest resolve(const Request& request);
@@ -150,7 +149,6 @@ struct SampleRequest {
 };
 
 /// `tumble sample`.
-/// \param request  scene and run, as typed
 /// \param asked    its own options, as typed
 int sample_command(const Request& request, const SampleRequest& asked);
 

@@ -3,7 +3,6 @@
 #include "driver/csv.hpp"
 
 #include "tumble/base/number_text.hpp"
-#include "tumble/record/csv_cells.hpp"
 #include "tumble/record/table_file.hpp"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 /// \brief The ledger: what the thesis claims, the number that decides, the verdict.
 #include "driver/ledger.hpp"
 
-#include "tumble/record/csv_cells.hpp"
+#include "tumble/record/table_file.hpp"
 
 #include "driver/csv.hpp"
 #include "driver/reads.hpp"

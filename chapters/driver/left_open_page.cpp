@@ -1,6 +1,6 @@
 /// \file
 /// \brief The page of what the thesis leaves open.
-#include "driver/chosen_values.hpp"
+#include "driver/choices.hpp"
 #include "driver/markup.hpp"
 #include "driver/pages.hpp"
 

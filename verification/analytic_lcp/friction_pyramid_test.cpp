@@ -33,15 +33,17 @@ Solved solve(const FrictionPyramid& pyramid) {
   return solved;
 }
 
-// A particle that slides over the ground for one step of 1/60 s, with the least friction on its way.
-Solved slide(const Vec3& velocity_w, double friction, int directions) {
-  const std::vector<MovingBody> bodies = particle_on_floor();
-  const std::array<Contact, 1> contacts{contact_at(0, 1, Vec3::Zero(), Vec3::UnitY(), friction)};
-  const std::array<FrictionPoint, 1> points{
-      FrictionPoint{0, 0, -9.81 / 60.0, velocity_w, Vec3::Zero()}};
+// The problem of a particle on the ground with a friction of 0.3.
+FrictionPyramid particle(const FrictionPoint& point, int directions) {
+  const std::array<Contact, 1> contacts{contact_at(0, 1, Vec3::Zero(), Vec3::UnitY(), 0.3)};
   FrictionPyramid pyramid;
-  pyramid.assemble(bodies, contacts, points, directions);
-  return solve(pyramid);
+  pyramid.assemble(particle_on_floor(), contacts, {&point, 1}, directions);
+  return pyramid;
+}
+
+// A particle that slides over the ground for one step of 1/60 s, with the least friction on its way.
+Solved slide(const Vec3& velocity_w, int directions) {
+  return solve(particle({0, 0, -9.81 / 60.0, velocity_w, Vec3::Zero()}, directions));
 }
 
 MovingBody random_body(Random& random) {
@@ -87,12 +89,7 @@ double turn_between(const Tangents& a, const Tangents& b) {
 
 TEST_CASE("The matrix of a sliding particle is that of Stewart and Trinkle",
           "[exact][pyramid][analytic_lcp]") {
-  const std::vector<MovingBody> bodies = particle_on_floor();
-  const std::array<Contact, 1> contacts{contact_at(0, 1, Vec3::Zero(), Vec3::UnitY(), 0.3)};
-  const std::array<FrictionPoint, 1> points{
-      FrictionPoint{0, 0, -0.1635, Vec3(3, 0, 0), Vec3::Zero()}};
-  FrictionPyramid pyramid;
-  pyramid.assemble(bodies, contacts, points, 4);
+  const FrictionPyramid pyramid = particle({0, 0, -0.1635, Vec3(3, 0, 0), Vec3::Zero()}, 4);
   const LcpProblem& lcp = pyramid.lcp();
   REQUIRE(lcp.size() == 6);
   CHECK(pyramid.has_friction());
@@ -109,11 +106,11 @@ TEST_CASE("The matrix of a sliding particle is that of Stewart and Trinkle",
 TEST_CASE("One step of a sliding particle is Stewart and Trinkle's solution",
           "[exact][pyramid][analytic_lcp]") {
   for (const int directions : {4, 8}) {
-    const Solved fast = slide(Vec3(3, 0, 0), 0.3, directions);
+    const Solved fast = slide(Vec3(3, 0, 0), directions);
     REQUIRE(fast.status == LcpStatus::solved);
     // [N s] rounding of numbers near 3: measured 0.
     CHECK((fast.pushes[0] - Vec3(-0.04905, 0.1635, 0)).norm() < 1e-15);
-    const Solved slow = slide(Vec3(0.01, 0, 0), 0.3, directions);
+    const Solved slow = slide(Vec3(0.01, 0, 0), directions);
     REQUIRE(slow.status == LcpStatus::solved);
     CHECK((slow.pushes[0] - Vec3(-0.01, 0.1635, 0)).norm() < 1e-15);
   }
@@ -130,7 +127,7 @@ TEST_CASE("Friction of the pyramid is as strong as its cross section in the dire
     for (int step = 0; step < 24; ++step) {
       const double angle = step * kPi / 12.0;
       const Vec3 sliding(std::cos(angle), 0, std::sin(angle));
-      const Solved solved = slide(3.0 * sliding, 0.3, directions);
+      const Solved solved = slide(3.0 * sliding, directions);
       REQUIRE(solved.status == LcpStatus::solved);
       const double strength = -solved.pushes[0].dot(sliding) / limit;
       const double between = 2.0 * kPi / directions;
@@ -145,12 +142,8 @@ TEST_CASE("Friction of the pyramid is as strong as its cross section in the dire
 
 TEST_CASE("Friction against a known sliding adds no unknown and has its direction",
           "[exact][pyramid][analytic_lcp]") {
-  const std::vector<MovingBody> bodies = particle_on_floor();
-  const std::array<Contact, 1> contacts{contact_at(0, 1, Vec3::Zero(), Vec3::UnitY(), 0.3)};
   const Vec3 sliding(0.6, 0, -0.8);
-  const std::array<FrictionPoint, 1> points{FrictionPoint{0, 0, -9.81, Vec3::Zero(), sliding}};
-  FrictionPyramid pyramid;
-  pyramid.assemble(bodies, contacts, points, 8);
+  const FrictionPyramid pyramid = particle({0, 0, -9.81, Vec3::Zero(), sliding}, 8);
   REQUIRE(pyramid.lcp().size() == 1);
   const Solved solved = solve(pyramid);
   CHECK((solved.pushes[0] - 9.81 * (Vec3::UnitY() - 0.3 * sliding)).norm() < 1e-14);  // [N]

@@ -1,7 +1,8 @@
 /// \file
 /// \brief Choices that the thesis leaves open: reading, verdicts of other values, refusals.
+#include "driver/choices.hpp"
+
 #include "chapters/scratch.hpp"
-#include "driver/chosen_values.hpp"
 #include "driver/pages.hpp"
 #include "support/test.hpp"
 

@@ -3,6 +3,7 @@
 #include "tumble/filtering/adaptive_step.hpp"
 
 #include "filtering/adaptive_cases.hpp"
+#include "support/runs.hpp"
 #include "support/test.hpp"
 
 using namespace tumble::adaptive_cases;
@@ -44,6 +45,22 @@ World resting_cubes() {
   return world;
 }
 
+// Sub-steps in the last of some steps with resting cubes.
+std::size_t substeps_after(int steps, Scripted::Script script,
+                           const AdaptiveStepOptions& options = {}) {
+  World world = resting_cubes();
+  AdaptiveStep adaptive(std::make_unique<Scripted>(std::move(script)), options);
+  run(world, adaptive, steps);
+  return adaptive.substeps().size();
+}
+
+// Length of the first sub-step with damped integration [s].
+double first_substep(World world) {
+  AdaptiveStep adaptive(make("damped"));
+  adaptive.step(world, kStep);
+  return adaptive.substeps()[0];
+}
+
 }  // namespace
 
 TEST_CASE("A body that flies alone takes whole steps however fast it is", "[unit][filtering]") {
@@ -59,34 +76,30 @@ TEST_CASE("A body that flies alone takes whole steps however fast it is", "[unit
 TEST_CASE("A step is halved until near bodies move by a fifth of the thinner one",
           "[exact][filtering]") {
   // The plank is 0.05 m thick, so that 0.01 m are allowed. Weightless.
-  const auto first_substep = [](double speed) {
+  const auto towards_plank = [](double speed) {
     World world = one_cube(Vec3(speed, 0.0, 0.0));
     world.gravity_w = Vec3::Zero();
     world.add(fixed_box_properties(Vec3(0.05, 2.0, 2.0)), Vec3(0.126, 5.0, 0.0));
-    AdaptiveStep adaptive(make("damped"));
-    adaptive.step(world, kStep);
-    return adaptive.substeps()[0];
+    return first_substep(world);
   };
   // 0.01 m in a step are 0.6 m/s.
-  CHECK(first_substep(0.59) == kStep);
-  CHECK(first_substep(0.61) == kStep / 2.0);
-  CHECK(first_substep(1.19) == kStep / 2.0);
-  CHECK(first_substep(1.21) == kStep / 4.0);
-  CHECK(first_substep(100.0) == kStep / 16.0);
+  CHECK(towards_plank(0.59) == kStep);
+  CHECK(towards_plank(0.61) == kStep / 2.0);
+  CHECK(towards_plank(1.19) == kStep / 2.0);
+  CHECK(towards_plank(1.21) == kStep / 4.0);
+  CHECK(towards_plank(100.0) == kStep / 16.0);
 }
 
 TEST_CASE("A step is halved until a near body turns by a tenth of a radian", "[exact][filtering]") {
-  const auto first_substep = [](double spin) {
+  const auto beside_wall = [](double spin) {
     World world = one_cube(Vec3::Zero(), Vec3(spin, 0.0, 0.0));
     world.gravity_w = Vec3::Zero();
     world.add(fixed_box_properties(Vec3(0.2, 2.0, 2.0)), Vec3(0.21, 5.0, 0.0));
-    AdaptiveStep adaptive(make("damped"));
-    adaptive.step(world, kStep);
-    return adaptive.substeps()[0];
+    return first_substep(world);
   };
-  CHECK(first_substep(5.9) == kStep);  // 0.0983 rad
-  CHECK(first_substep(6.1) == kStep / 2.0);
-  CHECK(first_substep(12.1) == kStep / 4.0);
+  CHECK(beside_wall(5.9) == kStep);  // 0.0983 rad
+  CHECK(beside_wall(6.1) == kStep / 2.0);
+  CHECK(beside_wall(12.1) == kStep / 4.0);
 }
 
 TEST_CASE("A thin plank stops at divided steps a body that passes through it at whole ones",
@@ -97,7 +110,7 @@ TEST_CASE("A thin plank stops at divided steps a body that passes through it at 
     plank.position_w = Vec3(1.0, 5.0, 0.0);  // [m] 40 m/s are 0.67 m in a step
     world.add(fixed_box_properties(Vec3(0.05, 9.0, 9.0)), plank);
     AdaptiveStep adaptive(make("damped"), halvings(most));
-    for (int k = 0; k < 6; ++k) adaptive.step(world, kStep);
+    run(world, adaptive, 6);
     return world.states()[0].position_w.x();
   };
   CHECK(end(0) > 3.0);
@@ -125,33 +138,27 @@ TEST_CASE("Halvings are undone when nothing requests them any more", "[unit][fil
 
 TEST_CASE("Gravity counts in the predicted approach to a fixed body", "[exact][filtering]") {
   // 0.04 m are allowed: 2.4 m/s in a step. Gravity adds 0.16 m/s, but not between two that fall.
-  const auto first_substep = [](double speed, bool fixed) {
+  const auto towards_cube = [](double speed, bool fixed) {
     World world = one_cube(Vec3(0.0, -speed, 0.0));
     world.add(fixed ? fixed_box_properties(Vec3::Constant(0.2))
                     : box_properties(Vec3::Constant(0.2), 1.0),
               Vec3(0.0, 4.79, 0.0));
-    AdaptiveStep adaptive(make("damped"));
-    adaptive.step(world, kStep);
-    return adaptive.substeps()[0];
+    return first_substep(world);
   };
-  CHECK(first_substep(2.2, true) == kStep);
-  CHECK(first_substep(2.3, true) == kStep / 2.0);
-  CHECK(first_substep(2.3, false) == kStep);
-  CHECK(first_substep(2.5, false) == kStep / 2.0);
+  CHECK(towards_cube(2.2, true) == kStep);
+  CHECK(towards_cube(2.3, true) == kStep / 2.0);
+  CHECK(towards_cube(2.3, false) == kStep);
+  CHECK(towards_cube(2.5, false) == kStep / 2.0);
 }
 
 TEST_CASE("A corner that reverses by more than its tolerance requests smaller steps",
           "[unit][filtering]") {
   const auto substeps = [](double shake) {
-    World world = resting_cubes();  // of 0.2 m: a millimetre is 5e-3 of it
-    AdaptiveStepOptions options{.shake = shake};
-    AdaptiveStep adaptive(std::make_unique<Scripted>([](World& bodies, int n, StepReport&) {
-                            bodies.states()[0].position_w.y() += n % 2 == 0 ? 1e-3 : -1e-3;
-                            return std::vector<int>{0};
-                          }),
-                          options);
-    for (int k = 0; k < 10; ++k) adaptive.step(world, kStep);
-    return adaptive.substeps().size();
+    const auto shaken = [](World& bodies, int n, StepReport&) {
+      bodies.states()[0].position_w.y() += n % 2 == 0 ? 1e-3 : -1e-3;  // 5e-3 of an edge
+      return std::vector<int>{0};
+    };
+    return substeps_after(10, shaken, {.shake = shake});
   };
   CHECK(substeps(4.9e-3) == 16);
   CHECK(substeps(5.1e-3) == 1);
@@ -174,26 +181,21 @@ TEST_CASE("Reversals are found body by body, independent of other bodies in cont
     CHECK(adaptive.substeps().size() == 2);
   }
   // One moves there, the other one back.
-  World world = resting_cubes();
-  AdaptiveStep adaptive(std::make_unique<Scripted>([](World& bodies, int n, StepReport&) {
+  const auto in_turn = [](World& bodies, int n, StepReport&) {
     bodies.states()[n % 2 == 0 ? 0 : 1].position_w.y() += n % 2 == 0 ? 1e-3 : -1e-3;
     return std::vector<int>{n % 2 == 0 ? 0 : 1};
-  }));
-  for (int k = 0; k < 6; ++k) adaptive.step(world, kStep);
-  CHECK(adaptive.substeps().size() == 1);
+  };
+  CHECK(substeps_after(6, in_turn) == 1);
 }
 
 TEST_CASE("Overlap above a fiftieth of an edge requests smaller steps", "[exact][filtering]") {
   const auto substeps = [](double overlap) {
-    World world = resting_cubes();  // 4 mm are allowed
-    AdaptiveStep adaptive(std::make_unique<Scripted>([=](World&, int, StepReport& report) {
+    return substeps_after(10, [=](World&, int, StepReport& report) {
       report.deepest_overlap = overlap;
       return std::vector<int>{};
-    }));
-    for (int k = 0; k < 10; ++k) adaptive.step(world, kStep);
-    return adaptive.substeps().size();
+    });
   };
-  CHECK(substeps(3.9e-3) == 1);
+  CHECK(substeps(3.9e-3) == 1);  // 4 mm are allowed
   CHECK(substeps(4.1e-3) == 16);
 }
 

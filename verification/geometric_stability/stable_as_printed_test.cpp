@@ -1,6 +1,5 @@
 /// \file
 /// \brief The listing SETGEOMETRICALLYSTABLE as printed, with and without its misprints.
-#include "tumble/geometric_stability/as_printed/printed_contacts.hpp"
 #include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 
 #include "support/test.hpp"

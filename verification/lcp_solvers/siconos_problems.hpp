@@ -6,6 +6,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -74,6 +76,90 @@ inline std::vector<SiconosProblem> siconos_problems(const std::filesystem::path&
        {{1, 0.5, 1.0 / 3, 0.25, 0.2, 1.0 / 6, 1.0 / 7, 0.125, 1.0 / 9}}},
   };
   for (SiconosProblem& one : all) one.problem = read_siconos(folder / (one.name + ".dat"));
+  return all;
+}
+
+// One of the problems.
+struct NormalProblem {
+  std::string name;       // of the file
+  LcpProblem problem;     // rows and columns of the normals only, made symmetric
+  std::vector<double> a;  // [m/s] what it comes to, unique
+};
+
+// The next number of a file.
+template <class Number>
+Number next(std::istream& in) {
+  Number value{};
+  if (!(in >> value)) throw std::runtime_error("a Siconos file ended early");
+  return value;
+}
+
+// Reads the matrix in either of its formats: dense by columns, or blocks listed row by row.
+inline MatX read_matrix(std::istream& in, int d) {
+  const int format = next<int>(in);
+  const int rows = next<int>(in);
+  const int columns = next<int>(in);
+  MatX W = MatX::Zero(rows, columns);
+  if (format == 0) {
+    next<int>(in);
+    next<int>(in);
+    for (int column = 0; column < columns; ++column)
+      for (int row = 0; row < rows; ++row) W(row, column) = next<double>(in);
+    return W;
+  }
+  const int blocks = next<int>(in);
+  const int block_rows = next<int>(in);
+  const int block_columns = next<int>(in);
+  for (int k = 0; k < block_rows + block_columns; ++k) next<int>(in);  // where they end
+  std::vector<int> begin_of_row(static_cast<std::size_t>(next<int>(in)));
+  std::vector<int> column_of_block(static_cast<std::size_t>(next<int>(in)));
+  for (int& value : begin_of_row) value = next<int>(in);
+  for (int& value : column_of_block) value = next<int>(in);
+  int block_row = 0;
+  for (int k = 0; k < blocks; ++k) {
+    while (begin_of_row.at(static_cast<std::size_t>(block_row) + 1) <= k) ++block_row;
+    const int block_column = column_of_block.at(static_cast<std::size_t>(k));
+    next<int>(in);  // k
+    for (int column = 0; column < d; ++column)
+      for (int row = 0; row < d; ++row)
+        W(d * block_row + row, d * block_column + column) = next<double>(in);
+  }
+  return W;
+}
+
+// Reads a file of a problem with friction, and keeps the normals.
+inline LcpProblem read_normal_problem(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  const int d = next<int>(in);
+  const int n = next<int>(in);
+  const MatX W = read_matrix(in, d);
+  LcpProblem problem{MatX(n, n), VecX(n), {}};
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) problem.A(i, j) = 0.5 * (W(d * i, d * j) + W(d * j, d * i));
+  for (int k = 0; k < d * n; ++k) {
+    const auto value = next<double>(in);
+    if (k % d == 0) problem.b[k / d] = value;
+  }
+  return problem;
+}
+
+// Reads all of them, with the expected answers.
+inline std::vector<NormalProblem> siconos_normal_problems(const std::filesystem::path& folder) {
+  std::ifstream in(folder / "expected_normal_lcp.json");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::vector<NormalProblem> all;
+  for (std::size_t at = text.find(".dat\""); at != std::string::npos;
+       at = text.find(".dat\"", at + 1)) {
+    const std::size_t quote = text.rfind('"', at);
+    NormalProblem one{.name = text.substr(quote + 1, at + 3 - quote)};
+    one.problem = read_normal_problem(folder / one.name);
+    const std::size_t list = text.find('[', text.find("\"w\"", at));
+    std::istringstream numbers(text.substr(list + 1, text.find(']', list) - list - 1));
+    char comma = ' ';
+    for (double value = 0.0; numbers >> value; numbers >> comma) one.a.push_back(value);
+    all.push_back(one);
+  }
+  if (all.empty()) throw std::runtime_error("no expected answers in " + folder.string());
   return all;
 }
 

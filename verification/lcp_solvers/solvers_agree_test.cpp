@@ -10,7 +10,6 @@
 
 #include "lcp_solvers/pyramid_problem.hpp"
 #include "lcp_solvers/random_contacts.hpp"
-#include "lcp_solvers/siconos_friction.hpp"
 #include "lcp_solvers/siconos_problems.hpp"
 #include "support/shared_data.hpp"
 #include "support/test.hpp"

@@ -1,9 +1,9 @@
 /// \file
 /// \brief trajectory_filtered.csv: what a filter shows of a run, streamed into a file.
 #include "tumble/filtering/filters.hpp"
-#include "tumble/record/csv_cells.hpp"
 #include "tumble/record/recorded_run.hpp"
 #include "tumble/record/run_files.hpp"
+#include "tumble/record/table_file.hpp"
 
 #include "support/files.hpp"
 #include "support/test.hpp"

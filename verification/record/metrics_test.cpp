@@ -2,8 +2,6 @@
 /// \brief Energy, overlap and momenta as a run measures them.
 #include "tumble/record/metrics.hpp"
 
-#include "tumble/record/metrics_table.hpp"
-
 #include "support/test.hpp"
 
 namespace {

@@ -3,9 +3,9 @@
 #include "tumble/record/run_files.hpp"
 
 #include "tumble/basic_colliding/basic.hpp"
-#include "tumble/record/csv_cells.hpp"
-#include "tumble/record/metrics_table.hpp"
+#include "tumble/record/metrics.hpp"
 #include "tumble/record/recorded_run.hpp"
+#include "tumble/record/table_file.hpp"
 
 #include "support/files.hpp"
 #include "support/test.hpp"

@@ -21,7 +21,6 @@
 namespace tumble {
 
 /// The solvers that can be chosen: all but enumeration, which takes eight contacts at most.
-/// \return each with its name
 std::vector<Word<std::string>> contact_solver_words();
 
 /// How contact forces are found.

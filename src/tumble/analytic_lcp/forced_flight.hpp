@@ -54,7 +54,6 @@ class ForcedFlight {
   /// Puts one body where it is at a time.
   /// \param world  the bodies of begin(); its state is overwritten
   /// \param body   its index; nothing happens to an immovable one
-  /// \param time   [s] after the start
   /// \throws std::invalid_argument if an angular momentum is not finite
   void put(World& world, int body, double time, RotationRule rule) const;
 

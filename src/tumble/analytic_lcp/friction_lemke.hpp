@@ -36,7 +36,6 @@ class FrictionLemkeSolver : public LcpSolver {
   /// Makes its three solvers.
   FrictionLemkeSolver();
 
-  /// \return "friction_lemke"
   [[nodiscard]] std::string_view name() const override { return "friction_lemke"; }
 
   /// Solves one problem.

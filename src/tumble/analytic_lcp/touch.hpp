@@ -33,7 +33,6 @@ TouchScale touch_scale(const World& world, int first, int second, double dt);
 
 /// What a point does.
 /// \param point  its distance, and its approach speed of now
-/// \param scale  of its pair
 /// \return see PointMotion; surfaces that are less than tolerance::contact_gap apart touch
 PointMotion motion_of(const ContactPoint& point, const TouchScale& scale);
 

@@ -40,7 +40,6 @@ void unit(const Vec3& value, std::string_view name);
 void unit(const Quat& value, std::string_view name);
 
 /// Refuses whatever does not fulfil a condition.
-/// \param condition  what must hold
 /// \param message    the value and what would be right, for example "rows = -1: give at least 1"
 /// \throws std::invalid_argument with the message
 void that(bool condition, std::string_view message);

@@ -71,14 +71,12 @@ class Parameters {
   Parameters(std::initializer_list<Parameter> items = {}) : items_(items) {}
 
   /// Declares one more setting.
-  /// \return this object
   Parameters& add(Parameter item) {
     items_.push_back(std::move(item));
     return *this;
   }
 
   /// Changes a setting.
-  /// \param value  as a user writes it
   /// \throws std::invalid_argument if there is no such key or the value is not accepted; the
   ///         message lists the accepted ones
   void set(std::string_view key, std::string_view value);

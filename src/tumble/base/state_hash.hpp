@@ -1,5 +1,5 @@
 /// \file
-/// \brief One number that says whether two runs went through the same bits.
+/// \brief Whether the bits are the same: of two vectors, and, by one number, of two runs.
 #pragma once
 
 #include "tumble/base/types.hpp"
@@ -49,10 +49,23 @@ class StateHash {
 
   /// The hash as 16 hexadecimal digits, the form that files and the golden values use.
   /// \return lower-case digits, no prefix
-  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::string text() const {
+    constexpr const char* digits = "0123456789abcdef";
+    std::string out(16, '0');
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = digits[(value_ >> (60 - 4 * i)) & 0xfU];
+    return out;
+  }
 
  private:
   std::uint64_t value_ = 0xcbf29ce484222325U;  // the FNV offset basis
 };
+
+/// Whether two vectors of fixed size have the same bits: -0 differs from 0, and a NaN equals itself.
+/// \return true if whatever is computed from the one is the same from the other
+template <class Vector>
+[[nodiscard]] bool same_bits(const Vector& a, const Vector& b) {
+  static_assert(Vector::SizeAtCompileTime > 0, "the numbers are part of the vector");
+  return std::memcmp(a.data(), b.data(), sizeof(Vector)) == 0;
+}
 
 }  // namespace tumble

@@ -1,5 +1,5 @@
 /// \file
-/// \brief Distance between words.
+/// \brief Distance between words, and texts that no terminal takes as a command.
 #include "tumble/base/suggestion.hpp"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <vector>
 
 namespace tumble {
+
 namespace {
 
 constexpr std::size_t kLongest = 64;   // letters; what is longer is no name of ours
@@ -65,6 +66,34 @@ std::string expected_names(std::string_view word, std::span<const std::string_vi
   if (!close.empty()) out.append("did you mean ").append(close).append("? Expected one of: ");
   if (close.empty()) out = "expected one of: ";
   for (std::size_t k = 0; k < known.size(); ++k) out.append(k > 0 ? ", " : "").append(known[k]);
+  return out;
+}
+
+namespace {
+
+bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U; }  // UTF-8
+
+}  // namespace
+
+std::string one_line(std::string_view text) {
+  constexpr std::size_t most = 60;
+  std::string out(text.substr(0, most));
+  if (text.size() > most) {
+    std::size_t end = most;
+    while (end > 0 && continues(text[end])) --end;
+    out = out.substr(0, end) + "...";
+  }
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    const auto byte = static_cast<unsigned char>(out[k]);
+    // Control characters of ASCII, and those that UTF-8 writes as c2 80 to c2 9f and some terminals take as bytes.
+    const bool lead = byte == 0xc2U && k + 1 < out.size() &&
+                      static_cast<unsigned char>(out[k + 1]) >= 0x80U &&
+                      static_cast<unsigned char>(out[k + 1]) < 0xa0U;
+    if (lead) out[k + 1] = ' ';
+    const bool alone =
+        continues(out[k]) && (k == 0 || (static_cast<unsigned char>(out[k - 1]) < 0x80U));
+    if (byte < 0x20U || byte == 0x7fU || lead || alone) out[k] = ' ';
+  }
   return out;
 }
 

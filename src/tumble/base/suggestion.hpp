@@ -1,5 +1,5 @@
 /// \file
-/// \brief The closest known name to a mistyped one.
+/// \brief Words of others in messages: mistyped names and their closest known one, and foreign texts.
 #pragma once
 
 #include <span>
@@ -20,5 +20,10 @@ std::string_view closest_name(std::string_view word, std::span<const std::string
 /// The end of a message about an unknown name.
 /// \return for example "did you mean gravity? Expected one of: title, gravity, ground, box"
 std::string expected_names(std::string_view word, std::span<const std::string_view> known);
+
+/// A foreign text for a message: nothing in it reaches a terminal as a command.
+/// \param text  any bytes
+/// \return one line of at most 60 bytes without control characters, and three dots if it was longer
+std::string one_line(std::string_view text);
 
 }  // namespace tumble

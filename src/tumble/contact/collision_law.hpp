@@ -83,7 +83,6 @@ void check(const PointImpact& impact);
 /// The energy is that of the two bodies, in the frame of a body of infinite mass.
 /// It is split by the impulse that does the work: \f$j_n\,n\cdot(u + u^+)/2\f$ and \f$j_t\cdot(u + u^+)/2\f$.
 /// \param impact  the impact, valid in the sense of check(), which is not called
-/// \return the impulse and its account
 /// \see Guendelman, Bridson, Fedkiw, "Nonconvex rigid bodies with stacking", 2003, section 7.
 /// \see Kane, Levinson, "Dynamics: theory and applications", 1985, on energy and Newton's law.
 /// \algorithm{Newton's model of a collision: section 3.3.2}
@@ -95,7 +94,6 @@ void check(const PointImpact& impact);
 /// \param second       the body that the normal enters; changed
 /// \param friction     [-] at least 0
 /// \param law          what restitution means; the approach speed is the present one
-/// \return the impulse and its account
 /// \throws std::invalid_argument naming the value that is not finite or out of range
 PointImpulse collide_at_point(MovingBody& first, MovingBody& second, const Vec3& point_w,
                               const Vec3& normal_w, double friction, double restitution,

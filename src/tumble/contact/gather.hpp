@@ -21,10 +21,6 @@ bool touch_pair(const World& world, std::span<const BodyState> states, const Ind
 /// The same of two bodies whose boxes are known.
 /// \param first       the box of the first; not used for the ground
 /// \param second      ditto of the second
-/// \param margin      [m] surfaces up to this far apart count as touching, at least 0
-/// \param remembered  the axis that the pair had before, or kNoAxis
-/// \param out         is overwritten; the normal points from the first to the second
-/// \return whether there is a point
 bool touch_pair(const World& world, const IndexPair& pair, const Box& first, const Box& second,
                 double margin, AxisIndex remembered, Manifold& out);
 

@@ -2,7 +2,9 @@
 /// \brief Work of the impulses of contacts in a step.
 #pragma once
 
+#include "tumble/base/index.hpp"
 #include "tumble/contact/contact.hpp"
+#include "tumble/contact/effective_mass.hpp"
 #include "tumble/dynamics/technique.hpp"
 
 #include <span>
@@ -14,8 +16,21 @@ namespace tumble {
 /// \param before    how bodies moved, one for each body index
 /// \param after     how they move with the impulses, and with gravity if it acted
 /// \param energy    restitution and friction are added
-void book_impulses(std::span<const Contact> contacts, std::span<const MovingBody> before,
-                   std::span<const MovingBody> after, BookedEnergy& energy);
+inline void book_impulses(std::span<const Contact> contacts, std::span<const MovingBody> before,
+                          std::span<const MovingBody> after, BookedEnergy& energy) {
+  for (const Contact& contact : contacts) {
+    for (int k = 0; k < contact.count; ++k) {
+      const ContactPoint& point = contact.points[idx(k)];
+      const auto velocity_w = [&](std::span<const MovingBody> bodies) {
+        return relative_velocity(bodies[idx(contact.first)], bodies[idx(contact.second)],
+                                 point.position_w);
+      };
+      const Vec3 mean_w = 0.5 * (velocity_w(before) + velocity_w(after));
+      energy.restitution += point.normal_impulse * contact.normal_w.dot(mean_w);
+      energy.friction += point.friction_impulse_w.dot(mean_w);
+    }
+  }
+}
 
 /// Energy that a body gets by moving with the velocity of a step's end while its impulses are booked at the mean one:
 /// \f$h\,g\cdot(p - p')/2\f$.

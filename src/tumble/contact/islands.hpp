@@ -38,7 +38,6 @@ class Islands {
              std::span<const char> walls = {});
 
   /// Finds the islands from pairs of bodies that touch; their places count as those of contacts.
-  /// \param bodies  the constant parts, for the immovable ones
   /// \param pairs   indices of bodies that touch, each pair in either order
   /// \param walls   see build()
   /// \throws std::invalid_argument for an index out of range, or walls of another length

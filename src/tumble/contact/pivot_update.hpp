@@ -146,14 +146,12 @@ class PivotUpdate {
   /// Carries a body whose centre has gone its own way already.
   ///
   /// Adds offset_w(), turns the body, and moves angular momentum in a group in flight.
-  /// \param body   its index, one that is carried
   /// \param time   [s] since the start of the move
   /// \param state  position and momenta as without carrying, orientation of the start; in and out
   /// \throws std::invalid_argument if the spin is not finite
   void carry(int body, double time, BodyState& state) const;
 
   /// Moves a body: straight with its momentum, and carried.
-  /// \param body   its index, one that is carried
   /// \param time   [s] of the move
   /// \param world  its state is that of the start; in and out
   /// \return [J] energy that it has got by not going straight

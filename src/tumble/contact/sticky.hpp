@@ -44,8 +44,6 @@ struct StickyScale {
 /// \f$\sqrt{g L}\f$ is that of a fall through half the box's own size. Where there is no gravity,
 /// nothing brings the bodies together again; the scale is then L / dt, one size in a step.
 /// \param approach_speed  [m/s] n·(v_second - v_first) before the collision; below 0 they approach
-/// \param scale           what it happens among
-/// \param options         when it sticks
 /// \return [-] 0 if the collision sticks, else the restitution as given
 /// \throws std::invalid_argument naming the value that is not finite or out of range
 /// \algorithm{Sticky collisions: section 4.3}

@@ -114,7 +114,6 @@ Mat3 inverse_inertia_w(const BodyProperties& body, const Quat& orientation_wb);
 double shortest_edge(const BodyProperties& a, const BodyProperties& b);
 
 /// The body as geometry sees it.
-/// \param body  the body's constant part, a box
 inline Box box_of(const BodyProperties& body, const BodyState& state) {
   return Box{state.position_w, state.orientation_wb.toRotationMatrix(), 0.5 * body.size};
 }

@@ -61,7 +61,6 @@ void require_valid(const SearchOptions& options, double start, double end);
 /// another and is pressed together "collides" at once, at the start: leave it out, it is a contact.
 /// \param start  [s] from when, not before their valid times
 /// \param end    [s] until when
-/// \return status, times and work
 /// \throws std::invalid_argument as require_valid() does, for both
 /// \par Cost
 /// Discrete: 2 + ⌈log2((end - start) / resolution)⌉ separations if there is a collision, else 2.
@@ -81,7 +80,6 @@ PairCollision bisect_collision(const Flight& flight, const IndexPair& pair, cons
 /// A separating direction found at one time stays one for as long as the bodies cannot close their gap
 /// along it, so the time may be advanced by that much and the gap measured again.
 /// \param start    [s] from when
-/// \param options  resolution and cap
 /// \return found, none, or cap_reached
 /// \see Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems*, PhD thesis, 1996.
 /// \algorithm{Swept volumes: section 3.2}

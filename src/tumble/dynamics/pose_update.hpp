@@ -2,8 +2,10 @@
 /// \brief The two ways in which techniques with contact put bodies where they are next (thesis 6.2).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <string_view>
 
 namespace tumble {
@@ -24,9 +26,18 @@ inline constexpr std::string_view kPoseMeaning =
     "6.2)";
 
 /// Both, in the order of the enumeration.
-std::span<const PoseUpdate> pose_updates();
+inline std::span<const PoseUpdate> pose_updates() {
+  static constexpr std::array kUpdates = {PoseUpdate::separate, PoseUpdate::exponential};
+  return kUpdates;
+}
 
 /// The name that a user calls it by: "separate" or "exponential".
-std::string_view name_of(PoseUpdate update);
+inline std::string_view name_of(PoseUpdate update) {
+  switch (update) {
+    case PoseUpdate::separate: return "separate";
+    case PoseUpdate::exponential: return "exponential";
+  }
+  throw std::invalid_argument("tumble: not a pose update");
+}
 
 }  // namespace tumble

@@ -4,6 +4,7 @@
 
 #include "tumble/dynamics/technique.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace tumble {
@@ -31,6 +32,14 @@ inline constexpr std::array<ReportCount, 11> kReportCounts = {
 /// Adds a step to those before it: counts and energies are summed, `contacts` too; the deepest overlap
 /// and the worst status are kept.
 /// \param total  sum of all; in and out
-void add_report(const StepReport& step, StepReport& total);
+inline void add_report(const StepReport& step, StepReport& total) {
+  for (const ReportCount& count : kReportCounts) total.*count.member += step.*count.member;
+  total.deepest_overlap = std::max(total.deepest_overlap, step.deepest_overlap);
+  total.status = std::max(total.status, step.status);
+  total.energy.restitution += step.energy.restitution;
+  total.energy.friction += step.energy.friction;
+  total.energy.damping += step.energy.damping;
+  total.energy.repair += step.energy.repair;
+}
 
 }  // namespace tumble

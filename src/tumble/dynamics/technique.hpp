@@ -144,7 +144,6 @@ class Observer {
   virtual void on_begin(const World& world) { (void)world; }
 
   /// Bodies were added or removed between two steps.
-  /// \param world         the bodies after it
   /// \param energy_added  [J] change of the total energy by it
   virtual void on_change(const World& world, double energy_added) {
     (void)world;
@@ -155,7 +154,6 @@ class Observer {
   virtual void on_event(const Event& event) { (void)event; }
 
   /// A step is complete.
-  /// \param world   the bodies after it
   virtual void on_step(const World& world, const StepReport& report) {
     (void)world;
     (void)report;

@@ -74,7 +74,6 @@ class Trajectory {
 class TrajectoryRecorder : public Observer {
  public:
   /// Records the start.
-  /// \param world  the bodies before the first step
   /// \param every  record every so many steps, at least 1
   /// \throws std::invalid_argument if `every` is below 1
   explicit TrajectoryRecorder(const World& world, int every = 1);

@@ -2,12 +2,14 @@
 /// \brief Common parts of techniques that wrap another one.
 #pragma once
 
+#include "tumble/base/error.hpp"
 #include "tumble/dynamics/technique.hpp"
 
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tumble {
@@ -17,7 +19,6 @@ class WrappedTechnique : public Technique {
  public:
   ~WrappedTechnique() override = default;
 
-  /// \return the name of the wrapped technique
   [[nodiscard]] std::string_view name() const override { return inner_->name(); }
   [[nodiscard]] std::span<const ContactRecord> contacts() const override {
     return inner_->contacts();
@@ -33,7 +34,9 @@ class WrappedTechnique : public Technique {
  protected:
   /// Wraps a technique.
   /// \throws std::invalid_argument if it is null
-  explicit WrappedTechnique(std::unique_ptr<Technique> inner);
+  explicit WrappedTechnique(std::unique_ptr<Technique> inner) : inner_(std::move(inner)) {
+    require::that(inner_ != nullptr, "a technique that goes around another one got none");
+  }
   /// For clone(): the technique inside is cloned.
   WrappedTechnique(const WrappedTechnique& other)
       : Technique(other), inner_(other.inner_->clone()) {}

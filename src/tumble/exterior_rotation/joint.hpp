@@ -92,12 +92,10 @@ std::vector<Joint> renewed_joints(std::span<const Joint> joints, std::span<const
                                   const World& world, double margin);
 
 /// The point about which a joint is held: the mean of its corners, of the two of an edge, or the corner.
-/// \return its positions on both bodies
 JointPoint held_point(const Joint& joint, std::span<const BodyState> states);
 
 /// A corner of a joint.
 /// \param corner  from 0, below the count
-/// \return its positions on both bodies
 JointPoint corner_of(const Joint& joint, int corner, std::span<const BodyState> states);
 
 /// Drift of a joint at the points where it is held.

@@ -52,9 +52,6 @@ class JointContacts {
   static constexpr int kBudget = 60;  ///< steps of the iteration at most; warm starts carry it on
 
   /// A step.
-  /// \param table   of RungeKutta
-  /// \param joints  held
-  /// \param forces  their solver
   /// \param world   states in and out; its time does not change
   /// \param report  impulses, iterations, contacts and energy are added
   double step(const ButcherTable& table, double dt, std::span<const Joint> joints,

@@ -54,7 +54,6 @@ class RungeKutta {
  public:
   /// One step of all movable bodies.
   /// \param dt      [s] above 0, shorter than a turn of every body
-  /// \param joints  held during the step
   /// \param world   states in and out; its time does not change
   /// \param pushes  forces, and torques about the centres, that last for all of the step, by index; empty: none
   /// \return [-] error estimate, the largest over bodies of position over shortest edge, of angle, and of

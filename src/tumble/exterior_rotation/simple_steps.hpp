@@ -50,7 +50,6 @@ enum class SimpleScheme : std::uint8_t {
 class SimpleSteps {
  public:
   /// One step of all movable bodies.
-  /// \param joints  held during the step
   /// \param world   states in and out; its time does not change
   void step(SimpleScheme scheme, PoseUpdate pose, double dt, std::span<const Joint> joints,
             JointForces& forces, World& world);

@@ -30,7 +30,6 @@ double largest_excursion(std::span<const Corners> path, double least = 0.0);
 
 /// The root mean square of the second differences \f$x_{k+1} - 2x_k + x_{k-1}\f$ of all corners.
 /// Over \f$g\,\Delta t^2\f$ this is the acceleration of chatter; a free fall has 1.
-/// \param path corners in successive frames
 /// \return [m] 0 for fewer than three frames
 double rms_second_difference(std::span<const Corners> path);
 
@@ -45,7 +44,6 @@ inline constexpr int kSquirmFrames = 11;
 /// Squirm is the root mean square of \f$u_k\f$ over all frames that have five on each side, for the
 /// corner where it is largest. A drift counts with its speed; a swing of amplitude a and frequency f
 /// well below 1/(11 Δt) with its speed \f$\sqrt2\,\pi f a\f$; an oscillation frame by frame as 0.
-/// \param path      corners in successive frames
 /// \param interval  [s] between frames, above 0
 /// \return [m/s] 0 for fewer than kSquirmFrames frames
 double squirm(std::span<const Corners> path, double interval);

@@ -3,7 +3,10 @@
 #pragma once
 
 #include "tumble/dynamics/world.hpp"
+#include "tumble/filtering/tolerances.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -23,7 +26,15 @@ class DisplayFrames {
 
   /// Adds a step; the first call shows at most the frame at its own time.
   /// \param now [s] time after the step, not before that of the last step
-  void advance(double now);
+  void advance(double now) {
+    const std::int64_t next = begun_ ? end_ : frame_from(now);
+    last_ = begun_ ? now_ : now;
+    now_ = now;
+    begun_ = true;
+    end_ = std::max(
+        next, static_cast<std::int64_t>(std::floor(now * rate_ + tolerance::frame_slack)) + 1);
+    first_ = std::max(next, end_ - window_);
+  }
 
   /// Whether a step or a start has been added; false until advance() is called.
   [[nodiscard]] bool begun() const { return begun_; }
@@ -35,11 +46,17 @@ class DisplayFrames {
   [[nodiscard]] std::int64_t end() const { return end_; }
   /// The first frame at a time or after it.
   /// \param time [s]
-  [[nodiscard]] std::int64_t frame_from(double time) const;
+  [[nodiscard]] std::int64_t frame_from(double time) const {
+    return static_cast<std::int64_t>(std::ceil(time * rate_ - tolerance::frame_slack));
+  }
   /// Position of a frame within the last step.
   /// \param frame first() to end() - 1
   /// \return [-] share of the step that is over by then, 0 to 1
-  [[nodiscard]] double share(std::int64_t frame) const;
+  [[nodiscard]] double share(std::int64_t frame) const {
+    const double step = now_ - last_;
+    const double since_last = static_cast<double>(frame) / rate_ - last_;
+    return step > 0.0 ? std::clamp(since_last / step, 0.0, 1.0) : 1.0;
+  }
 
  private:
   double rate_;

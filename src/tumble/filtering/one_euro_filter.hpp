@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tumble/base/cloned.hpp"
-#include "tumble/filtering/following_filter.hpp"
+#include "tumble/filtering/pose_filter.hpp"
 
 namespace tumble {
 

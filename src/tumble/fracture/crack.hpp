@@ -87,8 +87,6 @@ bool crack(ElasticMesh& mesh, int node, const Vec3& normal_w, double least, Crac
 /// the next search, since its crack relieves them.
 /// \param tension  [Pa] by element, of add_forces(). Only nodes with an element above `tolerance::crack_tension` of the
 ///                 strength are looked at
-/// \param least    [m] smallest height of an element that a split may leave, at rest
-/// \param work     counts are added
 /// \return whether the mesh has changed: nodes have been added, also where edges were divided and nothing was parted
 /// \verified{A search for cracks that divides edges and parts nothing says that the mesh has changed}
 bool crack_all(ElasticMesh& mesh, std::span<const double> tension, double least, CrackWork& work);

@@ -73,7 +73,6 @@ struct ElasticMesh {
 /// \param size      [m] full edges, each above 0
 /// \param cells     along each edge, each at least 1
 /// \param material  with density, λ + μ and μ above 0
-/// \param center_w  [m] where its centre is
 /// \throws std::invalid_argument naming the value that is out of range
 /// \verified{A box of tetrahedra has the mass and the volume of the box, and no face without partner inside}
 ElasticMesh elastic_box(const Vec3& size, const std::array<int, 3>& cells,

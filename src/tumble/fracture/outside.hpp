@@ -52,7 +52,6 @@ class NearFace {
   /// \param corner   which of its nodes, 0 to 3, is across from the face
   NearFace(const ElasticMesh& mesh, const Tetrahedron& element, int corner);
   /// Measures a point.
-  /// \param point_w  [m] the point
   [[nodiscard]] Sunk sunk(const Vec3& point_w) const;
   /// \return [-] of the face, outwards
   [[nodiscard]] const Vec3& normal_w() const { return normal_w_; }

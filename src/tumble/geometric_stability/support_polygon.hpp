@@ -34,8 +34,6 @@ void convex_hull(std::vector<Vec2>& points, std::vector<Vec2>& hull);
 [[nodiscard]] double distance_to_hull(std::span<const Vec2> hull, const Vec2& point);
 
 /// Whether a point lies in a convex polygon, or within a margin around it.
-/// \param hull    from convex_hull(); may be a line or a point
-/// \param point   [m]
 /// \param margin  [m] at least 0
 /// \return false for an empty hull
 [[nodiscard]] bool hull_contains(std::span<const Vec2> hull, const Vec2& point, double margin);

@@ -19,7 +19,6 @@ struct Box {
 };
 
 /// Builds a box and checks every value.
-/// \param center_w        [m] world frame
 /// \param size            [m] full edge lengths, each above 0
 /// \throws std::invalid_argument for a value that is not finite, a size not above 0 or a
 ///         quaternion that is not of length 1

@@ -78,7 +78,6 @@ class BroadPhase {
 
 /// Makes a broad phase by name.
 /// \param name  "all_pairs", "sweep_and_prune", "hashed_grid", "bounding_tree", "kd_tree" or "octree"
-/// \return it, with empty memory
 /// \throws std::invalid_argument for another name, listing these
 [[nodiscard]] std::unique_ptr<BroadPhase> make_broad_phase(std::string_view name);
 

@@ -3,7 +3,7 @@
 #include "tumble/impulse_damped/damped_bodies.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/base/same_bits.hpp"
+#include "tumble/base/state_hash.hpp"
 #include "tumble/contact/tolerances.hpp"
 
 #include <cmath>

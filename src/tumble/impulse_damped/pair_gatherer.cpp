@@ -4,7 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/index.hpp"
-#include "tumble/base/same_bits.hpp"
+#include "tumble/base/state_hash.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/geometry/overlap_normals.hpp"

@@ -53,8 +53,6 @@ struct PairReport {
 class PairGatherer {
  public:
   /// Makes a gatherer.
-  /// \param normals  rule of the contact normal
-  /// \param points   rule of the contact points
   explicit PairGatherer(NormalRule normals = NormalRule::last_face,
                         PointRule points = PointRule::one);
 

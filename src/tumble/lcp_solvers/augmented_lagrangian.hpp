@@ -2,7 +2,6 @@
 /// \brief Contact forces by the method of multipliers, seen from the bodies (thesis 2.6.2, 3.3.1).
 #pragma once
 
-#include "tumble/lcp_solvers/block_cholesky.hpp"
 #include "tumble/lcp_solvers/block_rows.hpp"
 #include "tumble/lcp_solvers/lcp.hpp"
 #include "tumble/lcp_solvers/tolerances.hpp"

@@ -32,7 +32,6 @@ class BaraffSolver : public LcpSolver {
   explicit BaraffSolver(int pivots_each = ComplementaritySolver::kPivotsEach)
       : pivots_each_(pivots_each), solver_(pivots_each) {}
 
-  /// \return "baraff"
   [[nodiscard]] std::string_view name() const override { return "baraff"; }
 
   /// Solves one problem.

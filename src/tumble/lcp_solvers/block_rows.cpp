@@ -9,6 +9,7 @@
 #include <cmath>
 
 namespace tumble {
+
 bool BlockRows::take(const LcpProblem& problem) {
   const std::size_t rows = problem.factors.rows.size();
   const std::size_t n = idx(problem.size());
@@ -150,6 +151,49 @@ void BlockRows::gather(std::span<const double> f, std::vector<Vec6>& z) const {
     for (int p = begin_[idx(i)]; p < begin_[idx(i) + 1]; ++p)
       z[idx(block_[idx(p)])] += f[idx(i)] * part_[idx(p)];
   }
+}
+
+void BlockCholesky::analyse(const BlockRows& rows) {
+  multiplications_ = 0;
+  joined_.clear();
+  const std::vector<int>& begin = rows.begin_of_rows();
+  const std::vector<int>& blocks = rows.blocks_of_rows();
+  for (int i = 0; i < rows.size(); ++i)
+    for (int p = begin[idx(i)]; p < begin[idx(i) + 1]; ++p)
+      for (int q = p + 1; q < begin[idx(i) + 1]; ++q)
+        joined_.push_back({blocks[idx(p)], blocks[idx(q)]});
+  matrix_.analyse(rows.blocks(), joined_);
+}
+
+void BlockCholesky::factor(const BlockRows& rows, const std::vector<char>& in_set,
+                           double softness) {
+  matrix_.clear();
+  for (int k = 0; k < rows.blocks(); ++k) matrix_.add_to(k, softness * Mat6::Identity());
+  const std::vector<int>& begin = rows.begin_of_rows();
+  const std::vector<int>& blocks = rows.blocks_of_rows();
+  const std::vector<Vec6>& parts = rows.parts();
+  int pair = 0;
+  for (int i = 0; i < rows.size(); ++i) {
+    const int count = begin[idx(i) + 1] - begin[idx(i)];
+    if (in_set[idx(i)] == 0) {
+      pair += count * (count - 1) / 2;
+      continue;
+    }
+    for (int p = begin[idx(i)]; p < begin[idx(i) + 1]; ++p) {
+      const Vec6& a = parts[idx(p)];
+      matrix_.add_to(blocks[idx(p)], a * a.transpose());
+      for (int q = p + 1; q < begin[idx(i) + 1]; ++q)
+        matrix_.add_to_pair(pair++, a * parts[idx(q)].transpose());
+    }
+    multiplications_ += std::int64_t{18} * count * (count + 1);
+  }
+  matrix_.factor();
+  multiplications_ += matrix_.multiplications_of_factor();
+}
+
+void BlockCholesky::solve(std::vector<Vec6>& x) {
+  matrix_.solve(x);
+  multiplications_ += matrix_.multiplications_of_solve();
 }
 
 }  // namespace tumble

@@ -14,7 +14,6 @@ namespace tumble {
 /// to start with.
 class EnumerationSolver : public LcpSolver {
  public:
-  /// \return "enumeration"
   [[nodiscard]] std::string_view name() const override { return "enumeration"; }
 
   /// Solves one problem.

@@ -55,7 +55,6 @@ class LemkeSolver : public LcpSolver {
   /// \throws std::invalid_argument if the cap or the slack is negative
   explicit LemkeSolver(const LemkeOptions& options = {});
 
-  /// \return "lemke"
   [[nodiscard]] std::string_view name() const override { return "lemke"; }
 
   /// Solves one problem.

@@ -25,7 +25,6 @@ class SafeguardedSolver final : public LcpSolver {
   /// \param core  the solver; not nullptr
   explicit SafeguardedSolver(std::unique_ptr<LcpSolver> core) : core_(std::move(core)) {}
 
-  /// \return the name of the solver that it runs
   [[nodiscard]] std::string_view name() const override { return core_->name(); }
 
   /// \copydoc LcpSolver::solve

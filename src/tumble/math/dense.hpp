@@ -106,7 +106,6 @@ class OrthogonalFactor {
   bool append(const MatRef& G, int column);
 
   /// Takes a column out.
-  /// \param G      (m×n) the matrix
   /// \param place  where in indices() it stands
   void remove(const MatRef& G, int place);
 

@@ -38,7 +38,6 @@ class NonNegativeLeastSquares {
  public:
   /// Solves one problem.
   /// \param G      [any] (m×n) columns, the generators of the cone; dependent ones are welcome
-  /// \param d      [any] (m) the target
   /// \param result the answer; all of it is overwritten. n = 0 gives f empty and distance |d|
   /// \param start  columns to begin with, see ComplementaritySolver::solve(); may be
   ///               `result.pushing` itself

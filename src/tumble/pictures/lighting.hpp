@@ -45,7 +45,6 @@ class Lamp {
   static constexpr double kRadius = 0.055;
 
   /// Places the lamp.
-  /// \param view    the viewer
   /// \param points  number of its points; a soft shadow is the overlay of the shadows of all of them, and
   ///                sharp for 1, the middle
   Lamp(const Projection& view, int points);

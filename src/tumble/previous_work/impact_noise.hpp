@@ -24,6 +24,15 @@ struct ImpactName {
 /// [-] The random values of one impact, each uniform in [0, 1).
 using ImpactValues = std::array<double, 3>;
 
+/// Three uniform values.
+/// \param stream  in and out
+/// \return each in [0, 1)
+[[nodiscard]] inline ImpactValues draw_values(Random& stream) {
+  ImpactValues values{};
+  for (double& value : values) value = stream.unit();
+  return values;
+}
+
 /// The noise of a motion: values for every impact that it may have, independent and uniform.
 ///
 /// Values that were not set come from a stream that is named by the impact, so that infinitely many of them take no
@@ -35,7 +44,14 @@ class ImpactNoise {
   explicit ImpactNoise(const Random& stream = Random(0)) : stream_(stream) {}
 
   /// The values of an impact: those that were set, or those of the stream.
-  [[nodiscard]] ImpactValues of(const ImpactName& name) const;
+  [[nodiscard]] ImpactValues of(const ImpactName& name) const {
+    const auto found = set_.find(name);
+    if (found != set_.end()) return found->second;
+    Random stream = stream_.fork(number_of(name.first))
+                        .fork(number_of(name.second))
+                        .fork(static_cast<std::uint64_t>(name.number));
+    return draw_values(stream);
+  }
 
   /// Changes the values of one impact.
   /// \param values  [-] each in [0, 1)
@@ -45,10 +61,5 @@ class ImpactNoise {
   Random stream_;
   std::map<ImpactName, ImpactValues> set_;
 };
-
-/// Three uniform values.
-/// \param stream  in and out
-/// \return each in [0, 1)
-[[nodiscard]] ImpactValues draw_values(Random& stream);
 
 }  // namespace tumble

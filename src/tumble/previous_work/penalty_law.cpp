@@ -1,9 +1,8 @@
 /// \file
 /// \brief One mass on a spring and a damper.
-#include "tumble/previous_work/penalty_law.hpp"
-
 #include "tumble/base/error.hpp"
 #include "tumble/math/elementary.hpp"
+#include "tumble/previous_work/penalty.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -58,7 +58,6 @@ inline constexpr std::array<std::array<double, 3>, 4> kTetrahedron{
 Vec3 particle_of_box(const Vec3& half, std::size_t k);
 
 /// A point of a box as a mean of its four particles, with weights that add up to 1.
-/// \param half     [m] half edges
 /// \param point_b  [m] body frame
 /// \return [-] weights; some are below 0 for points outside of the tetrahedron, as corners are
 std::array<double, 4> weights_of(const Vec3& half, const Vec3& point_b);

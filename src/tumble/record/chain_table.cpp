@@ -3,8 +3,8 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/text_file.hpp"
-#include "tumble/record/csv_cells.hpp"
 #include "tumble/record/sampling.hpp"
+#include "tumble/record/table_file.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -59,7 +59,6 @@ class ChatterMeter {
   [[nodiscard]] Chatter measure(double gravity) const;
 
   /// Measures every body that rests over the last half second.
-  /// \param gravity  [m/s²] size of the gravity that accelerations are divided by, above 0
   /// \return one for each body that rests, by id; none before half a second has passed
   [[nodiscard]] std::vector<BodyChatter> each(double gravity) const;
 

@@ -6,6 +6,9 @@
 #include "tumble/record/chatter.hpp"
 #include "tumble/record/overlap.hpp"
 
+#include <span>
+#include <string_view>
+
 namespace tumble {
 
 /// Measurements of the world after a step. They do not depend on the technique.
@@ -57,5 +60,16 @@ class MetricsMeter : public Observer {
   double start_energy_ = 0.0;
   Metrics metrics_;
 };
+
+/// One number of a step, as files have it.
+struct MetricsColumn {
+  std::string_view name;  ///< with its unit at the end, where it has one
+  bool whole = false;     ///< a count
+  /// Its value.
+  double (*value)(const Metrics& metrics, const StepReport& report) = nullptr;
+};
+
+/// All numbers of a step, in the order of the file.
+std::span<const MetricsColumn> metrics_columns();
 
 }  // namespace tumble

@@ -28,7 +28,6 @@ class OverlapMeter {
 
   /// The same for the pairs of a world that no joint joins.
   /// \param world  the bodies, their states finite
-  /// \return [m] as look() of its bodies
   double look(const World& world);
 
   /// How deep each body is in others [m], by index as of the last look: its deepest penetration, 0 or above.

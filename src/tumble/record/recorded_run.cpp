@@ -4,9 +4,9 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/one_line.hpp"
+#include "tumble/base/suggestion.hpp"
 #include "tumble/math/rotation.hpp"
-#include "tumble/record/csv_cells.hpp"
+#include "tumble/record/table_file.hpp"
 #include "tumble/scenes/scene_file.hpp"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include "tumble/filtering/filters.hpp"
 #include "tumble/record/json.hpp"
 #include "tumble/record/matrix_market.hpp"
-#include "tumble/record/metrics_table.hpp"
+#include "tumble/record/metrics.hpp"
 #include "tumble/scenes/scene_file.hpp"
 
 #include <algorithm>

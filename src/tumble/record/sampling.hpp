@@ -25,8 +25,6 @@ class SceneSampler {
   /// Makes a sampler.
   /// \param scene      with one wish or more
   /// \param technique  at its start; every motion gets a copy
-  /// \param settings   step and duration of each motion
-  /// \param noise      how much
   /// \throws SceneMistake as checked() does
   /// \throws std::invalid_argument for a scene without wishes, a wish about a box that is not there at the end,
   ///         no technique, or settings or options out of range

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tumble {
 
@@ -70,5 +71,13 @@ class TableFile {
   std::size_t row_begin_ = 0;   // where in pending_ the row being made begins
   std::uintmax_t written_ = 0;  // bytes of whole rows in the file
 };
+
+/// A text as a cell: in quotes if it has commas, quotes or line breaks, its own quotes doubled.
+std::string csv_cell(std::string_view text);
+
+/// Takes a row of a comma-separated table apart.
+/// \param line  without the line break
+/// \return the cells, without the quotes that some are in
+std::vector<std::string> cells_of(std::string_view line);
 
 }  // namespace tumble

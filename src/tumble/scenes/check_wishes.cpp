@@ -1,7 +1,6 @@
 /// \file
 /// \brief Wishes that cannot come true.
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/one_line.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/scenes/scene.hpp"
 #include "tumble/scenes/wish.hpp"

@@ -4,7 +4,6 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/one_line.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/base/text_file.hpp"
 #include "tumble/scenes/readable_toml.hpp"

@@ -3,7 +3,6 @@
 #include "tumble/scenes/scene_joint.hpp"
 
 #include "tumble/base/number_text.hpp"
-#include "tumble/base/one_line.hpp"
 #include "tumble/base/suggestion.hpp"
 #include "tumble/dynamics/tolerances.hpp"
 #include "tumble/scenes/scene.hpp"

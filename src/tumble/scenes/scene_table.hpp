@@ -54,19 +54,16 @@ struct Wish;
 void read_surface(const SceneTable& table, double& friction, double& restitution);
 
 /// Reads a box.
-/// \param table  [[box]]
 /// \return the box, not checked beside others
 /// \throws std::invalid_argument for a key or a value that is wrong
 SceneBox read_box(const SceneTable& table);
 
 /// Reads a joint. What its values mean is checked by join_bodies().
-/// \param table  [[joint]]
 /// \return the joint, not checked against the scene
 /// \throws std::invalid_argument for a key or a value that is wrong
 SceneJoint read_joint(const SceneTable& table);
 
 /// Reads a wish.
-/// \param table  [[wish]]
 /// \return the wish, not checked against the scene
 /// \throws std::invalid_argument for a key or a value that is wrong
 Wish read_wish(const SceneTable& table);

@@ -36,7 +36,6 @@ class Simulation {
   Simulation(Scene scene, std::unique_ptr<Technique> technique);
 
   /// Begins at time 0 with a technique of the library.
-  /// \param technique  its name (`tumble techniques`)
   /// \param settings   its options that differ from their defaults, each as key=value
   /// \throws std::invalid_argument for a name, a key or a value that does not exist
   /// \throws SceneMistake as checked() does

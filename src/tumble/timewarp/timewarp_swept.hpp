@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tumble/base/cloned.hpp"
-#include "tumble/timewarp/synchronised_timewarp.hpp"
+#include "tumble/timewarp/timewarp_frame.hpp"
 
 namespace tumble {
 

@@ -57,7 +57,6 @@ struct PrintedCollision {
 /// \param collision    contact points and normal
 /// \param restitution  [-] e, from -1 to 1
 /// \param gravity      whether gravity is added for the time being
-/// \param how          what else is needed
 PrintedCollision collide_as_printed(PrintedObject& first, PrintedObject& second,
                                     const Contact& collision, double restitution,
                                     PrintedGravity gravity, const PrintedCollide& how);

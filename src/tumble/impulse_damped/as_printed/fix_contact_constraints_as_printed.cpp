@@ -5,7 +5,7 @@
 #include "tumble/base/error.hpp"
 #include "tumble/dynamics/energy.hpp"
 #include "tumble/dynamics/flight.hpp"
-#include "tumble/geometric_stability/as_printed/printed_contacts.hpp"
+#include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
 
 #include <string>
 #include <utility>

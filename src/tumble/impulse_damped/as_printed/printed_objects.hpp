@@ -38,7 +38,6 @@ struct PrintedObject {
   void set_linear_momentum(int axis, double value);
 
   /// Writes a component of the angular momentum.
-  /// \param axis   0, 1 or 2: x, y or z
   /// \param value  [kg m²/s] world frame
   void set_angular_momentum(int axis, double value);
 

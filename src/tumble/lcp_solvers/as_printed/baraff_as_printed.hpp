@@ -37,7 +37,6 @@ class BaraffObserver {
   virtual ~BaraffObserver() = default;
 
   /// A step has ended.
-  /// \param step  what it did
   virtual void on_step(const BaraffStep& step) = 0;
 };
 

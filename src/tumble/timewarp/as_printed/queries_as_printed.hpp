@@ -2,18 +2,28 @@
 /// \brief Functions that the listings of the synchronised timewarp call, as printed (thesis A.1).
 #pragma once
 
+#include "tumble/base/errata_set.hpp"
 #include "tumble/base/index.hpp"
 #include "tumble/base/options.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
-#include "tumble/timewarp/as_printed/timewarp_errata.hpp"
 #include "tumble/timewarp/timewarp_frame.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace tumble {
+
+/// The errata of A.1: T1 to T10 (SIMPLESYNCTIMEWARP) and F1 to F9 (SAFERSYNCTIMEWARP).
+inline const ErrataList& errata_of_timewarp() {
+  static const ErrataList list(std::array<ErrataGroup, 2>{{{"T", 10}, {"F", 9}}});
+  return list;
+}
+
+/// Errata of A.1 that are repaired.
+using TimewarpErrata = ErrataSetOf<errata_of_timewarp>;
 
 /// The two listings of appendix A.1.
 enum class TimewarpListing : std::uint8_t {

@@ -4,7 +4,6 @@
 
 #include "tumble/base/cloned.hpp"
 #include "tumble/timewarp/as_printed/queries_as_printed.hpp"
-#include "tumble/timewarp/as_printed/timewarp_errata.hpp"
 
 #include <span>
 #include <vector>
