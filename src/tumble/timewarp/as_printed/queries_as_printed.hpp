@@ -90,8 +90,10 @@ class PrintedQueries {
   /// Makes it with its storage.
   /// \throws std::invalid_argument for an option out of range
   explicit PrintedQueries(const TimewarpAsPrintedOptions& options);
-  /// A copy with options only; no other state is kept from frame to frame.
-  PrintedQueries(const PrintedQueries& other) : PrintedQueries(other.options_) {}
+  /// A copy with options and contacts; no other state is kept from frame to frame.
+  PrintedQueries(const PrintedQueries& other) : PrintedQueries(other.options_) {
+    records_ = other.records_;
+  }
 
   /// Starts a frame.
   /// \param world     all bodies; kept until fix_interpenetration()
