@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tumble/contact/moving_body.hpp"
+#include "tumble/contact_damped/island.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 
 #include <span>
@@ -31,5 +32,10 @@ int move_by_itself(const BodyMotion& motion, int k, double turn, const World& wo
 /// \return its state then; an immovable body's as it is
 [[nodiscard]] BodyState state_after(const BodyMotion& motion, int k, const MovingBody& end,
                                     const World& world);
+
+/// Clears `in_flight` of the bodies that do not fly their parabola. Those fly it that are pushed by nothing, or only by each other:
+/// then all of a group that touches falls alike. Impulses of rounding push nothing: velocities of such bodies are `free` again.
+/// \param in_flight  by body index, set for all bodies of the island
+void decide_flight(const Island& island, std::span<char> in_flight);
 
 }  // namespace tumble

@@ -109,7 +109,8 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
       storage_.impulses_before_bounce[idx(contact)] = impulses_in(patches[idx(contact)]);
     }
     ask_for_separation(island, storage_.step);
-    if (!sweep_bounce(island, report) && !normal_exceeds_budget(island, effort()))
+    if (!sweep_bounce(island, report) &&
+        !normal_exceeds_budget(island, effort(), memory_.island_solver))
       solve_bounce(island, memory_.island_solver, storage_.held, report);
     limit_bounce(island, velocities_.before_bounce, storage_.impulses_before_bounce, report);
   }

@@ -196,9 +196,10 @@ class ContactDamped : public Technique {
   [[nodiscard]] IslandEffort effort() const;
   [[nodiscard]] bool is_crowded(const World& world, double dt);
   void solve_island(const Island& island, StepReport& report);
-  bool run_plan(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
-                StepReport& report);
-  void accept(const Island& island, const IslandPlan& plan, bool direct, StepReport& report);
+  IslandOutcome run_plan(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
+                         StepReport& report);
+  void accept(const Island& island, const IslandPlan& plan, IslandOutcome outcome,
+              StepReport& report);
   void find_pivots(const World& world, double dt);
   bool drop_sinking_pivots(const World& world, double dt);
   bool carry(int k, double dt, World& world, StepReport& report) const;

@@ -111,10 +111,13 @@ double gravity_in_step(double gravity, double size, double dt) {
   return gravity > 0.0 ? gravity * dt : tolerance::weightless_speed * size / dt;
 }
 
-double negligible_residual(const Island& island) {
+double unit_speed(const Island& island) {
   const double g = island.world.gravity_w.norm();
-  return tolerance::contact_settled *
-         gravity_in_step(g, g > 0.0 ? 0.0 : shortest_edge(island), island.dt);
+  return gravity_in_step(g, g > 0.0 ? 0.0 : shortest_edge(island), island.dt);
+}
+
+double negligible_residual(const Island& island) {
+  return tolerance::contact_settled * unit_speed(island);
 }
 
 SpeedRange speed_range(const Island& island) {
@@ -187,6 +190,16 @@ bool is_large_and_fast(const Island& island) {
 
 bool is_small(const Island& island) {
   return island.bodies.size() <= static_cast<std::size_t>(tolerance::small_island);
+}
+
+bool has_impact(const Island& island) {
+  return std::any_of(island.patch_indices.begin(), island.patch_indices.end(), [&](int contact) {
+    const ContactPatch& patch = island.all_patches[idx(contact)];
+    const double fast = tolerance::fast_speed * speed_unit(island, patch.size);
+    const auto points = patch.used();
+    return std::any_of(points.begin(), points.end(),
+                       [&](const ContactPatchPoint& p) { return p.approach < -fast; });
+  });
 }
 
 void note_approach(const Island& island) {

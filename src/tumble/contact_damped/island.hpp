@@ -36,8 +36,11 @@ struct Island {
 /// \return [m/s] see tolerance::weightless_speed
 [[nodiscard]] double gravity_in_step(double gravity, double size, double dt);
 
-/// The residual that counts as none: a share of the speed that gravity gives in a step, or without gravity of
-/// the shortest edge in a step.
+/// The speed that gravity gives in a step to the bodies of an island, see gravity_in_step().
+/// \return [m/s]
+[[nodiscard]] double unit_speed(const Island& island);
+
+/// The residual that counts as none: a share of unit_speed().
 /// \return [m/s] see tolerance::contact_settled
 [[nodiscard]] double negligible_residual(const Island& island);
 
@@ -130,6 +133,10 @@ void discard_impulses(const Island& island);
 /// \f$\tfrac12 |\Delta v|_M^2\f$ of the change of velocity in the step.
 /// \return whether it is more than tolerance::work_apart of that
 [[nodiscard]] bool pushes_apart(const Island& island);
+
+/// Whether a point of an island approaches fast: its impulses are those of an impact, beside which weights are small.
+/// \param island  after note_approach()
+[[nodiscard]] bool has_impact(const Island& island);
 
 /// The impulses, velocities and targets of an island, kept so that another solution can be tried.
 class KeptSolution {

@@ -15,12 +15,8 @@ namespace tumble {
 /// Gauss-Seidel like the patches of sweeps, only larger: the impulses of all other patches are held meanwhile.
 class IslandBlock {
  public:
-  /// Keeps the velocities of an island, from which a pair of sweeps, one down and one up, begins.
+  /// Keeps the velocities of an island, from which a sweep begins.
   void start(const Island& island);
-
-  /// Compares velocities with those.
-  /// \return [m/s] the largest change of a body's fastest point
-  [[nodiscard]] double largest_change(const Island& island) const;
 
   /// Finds all patches of the few bodies that have changed most.
   /// \return these patches and all their bodies; `free` are velocities without the impulses of these patches. It is empty if hardly
@@ -31,7 +27,7 @@ class IslandBlock {
   void choose(const Island& island);
   [[nodiscard]] double change(const Island& island, std::size_t place) const;
 
-  std::vector<MovingBody> before_;  // by the island's bodies: velocities at the start of the pair
+  std::vector<MovingBody> before_;  // by the island's bodies: velocities at the start of the sweep
   // Of the block.
   std::vector<std::pair<double, int>> changes_;  // [m/s] of bodies, with their indices
   std::vector<char> chosen_;                     // by body index

@@ -68,8 +68,17 @@ FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport&
 [[nodiscard]] bool has_to_be_swept(const Island& island, const SpeedRange& speed,
                                    const IslandEffort& effort);
 
-/// Whether Newton steps for the normal impulses of an island exceed the budget.
-[[nodiscard]] bool normal_exceeds_budget(const Island& island, const IslandEffort& effort);
+/// How the impulses of an island were found.
+enum class IslandOutcome : std::uint8_t {
+  swept,        ///< by sweeps
+  unconverged,  ///< by the direct solver, which did not converge, and sweeps after it
+  direct        ///< by the direct solver
+};
+
+/// Whether Newton steps for the normal impulses of an island exceed the budget: it has many patches, and a factorization of its
+/// matrix costs much, which that of a row does not.
+[[nodiscard]] bool normal_exceeds_budget(const Island& island, const IslandEffort& effort,
+                                         IslandSolver& solver);
 
 /// Whether small islands in motion, each solved as well as one by itself, exceed the budget of a large one together.
 /// \param patches  in these islands that move before the step

@@ -1,6 +1,7 @@
 /// \file
 /// \brief The default technique: bodies move, by themselves or carried by those on which they stand.
 #include "tumble/base/index.hpp"
+#include "tumble/base/tolerances.hpp"
 #include "tumble/contact/parts_of_turn.hpp"
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/body_motion.hpp"
@@ -25,6 +26,37 @@ void take_gravity(const BodyMotion& motion, int k, const MovingBody& end, const 
 }
 
 }  // namespace
+
+void decide_flight(const Island& island, std::span<char> in_flight) {
+  double fastest = 0.0;  // [m/s]
+  for (const int k : island.bodies) {
+    const MovingBody& free = island.free[idx(k)];
+    fastest = std::max(fastest, fastest_point_speed(island.world.bodies()[idx(k)], free.velocity_w,
+                                                    free.angular_velocity_w));
+  }
+  const double none = tolerance::rounding * fastest;
+  for (const int k : island.bodies) {
+    MovingBody& now = island.now[idx(k)];
+    const MovingBody& free = island.free[idx(k)];
+    const double changed =
+        fastest_point_speed(island.world.bodies()[idx(k)], now.velocity_w - free.velocity_w,
+                            now.angular_velocity_w - free.angular_velocity_w);
+    if (changed <= none) now = free;
+  }
+  const auto is_held = [&](int k) {
+    return in_flight[idx(k)] == 0 || island.now[idx(k)].inverse_mass.x() == 0.0;
+  };
+  for (bool more = true; more;) {
+    more = false;
+    for (const int contact : island.upward) {
+      const ContactPatch& patch = island.all_patches[idx(contact)];
+      if (is_held(patch.first) == is_held(patch.second)) continue;
+      if (!(impulse_of(patch)[six::normal] * patch.inverse_mass[2][2] > none)) continue;
+      in_flight[idx(patch.first)] = in_flight[idx(patch.second)] = 0;
+      more = true;
+    }
+  }
+}
 
 int move_by_itself(const BodyMotion& motion, int k, double turn, const World& world,
                    BodyState& state) {

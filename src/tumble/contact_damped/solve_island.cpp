@@ -1,7 +1,7 @@
 /// \file
 /// \brief The default technique: the impulses of an island.
 #include "tumble/base/index.hpp"
-#include "tumble/base/tolerances.hpp"
+#include "tumble/contact_damped/body_motion.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/contact_damped/island_plan.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
@@ -49,16 +49,17 @@ bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& f
   return residual < plan.fair_residual;
 }
 
-// All patches together. Returns whether the direct solver accepted the island. A result that has not converged is the start of
-// sweeps, which put friction back into its cone, and stop approach.
-bool solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& solver,
-                    StepReport& report) {
+// All patches together. Returns `swept` if the direct solver did not accept the island. A result that has not converged is the
+// start of sweeps, which put friction back into its cone, and stop approach.
+IslandOutcome solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& solver,
+                             StepReport& report) {
   const IslandResult result = solver.solve(island, plan.direct);
   report.iterations += result.iterations;
   report.pivots += result.factorizations;  // the costliest part of the work, as pivots elsewhere
-  if (result.accepted && !result.converged && !result.improved)
-    sweep_at_most(plan.sweeps_if_unconverged, island, plan, report);
-  return result.accepted;
+  if (!result.accepted) return IslandOutcome::swept;
+  if (result.converged || result.improved) return IslandOutcome::direct;
+  sweep_at_most(plan.sweeps_if_unconverged, island, plan, report);
+  return IslandOutcome::unconverged;
 }
 
 // Solves a block of an island, and goes back if that does not converge.
@@ -79,26 +80,27 @@ bool sweep_and_solve_blocks(const Island& island, const IslandPlan& plan, Island
   double residual = 0.0;
   for (int k = 0; k < pairs + kBlockRounds; ++k) {
     if (k >= pairs) solve_block(left.find(island), plan, solver, before, report);
-    left.start(island);
     for (int way = 0; way < 2; ++way) {
+      left.start(island);
       residual = sweep_number(way, island, plan, report);
       if (residual < plan.residual) return true;
     }
-    if (left.largest_change(island) < plan.residual) return true;
   }
   return residual < plan.fair_residual;
 }
 
 // Of the impulses that sweeps have found, and those of the direct solver, the ones with which bodies sink less into each
-// other. Where little sinks the direct solver is not tried. Returns whether its impulses were taken.
-bool solve_if_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
-                      KeptSolution& before, StepReport& report) {
+// other. Where little sinks the direct solver is not tried.
+IslandOutcome solve_if_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
+                               KeptSolution& before, StepReport& report) {
   const double swept = deepest_sinking(island);
-  if (swept < tolerance::deep_sinking) return false;
+  if (swept < tolerance::deep_sinking) return IslandOutcome::swept;
   before.keep(island);
-  if (solve_directly(island, plan, solver, report) && deepest_sinking(island) < swept) return true;
+  const IslandOutcome outcome = solve_directly(island, plan, solver, report);
+  const bool wrong = outcome == IslandOutcome::unconverged && pushes_apart(island);
+  if (outcome != IslandOutcome::swept && !wrong && deepest_sinking(island) < swept) return outcome;
   before.restore(island);
-  return false;
+  return IslandOutcome::swept;
 }
 
 // Impulses that add energy, swept or of the direct solver, are no solution, but are near one. Each sweep that begins with them takes
@@ -132,46 +134,13 @@ void hold_friction(const Island& island, double share, std::vector<MovingBody>& 
   }
 }
 
-// Clears `in_flight` of the bodies that do not fly their parabola. Those fly it that are pushed by nothing, or only by each other:
-// then all of a group that touches falls alike. Impulses of rounding push nothing, nor are they kept.
-void decide_flight(const Island& island, std::span<char> in_flight) {
-  double fastest = 0.0;  // [m/s]
-  for (const int k : island.bodies) {
-    const MovingBody& free = island.free[idx(k)];
-    fastest = std::max(fastest, fastest_point_speed(island.world.bodies()[idx(k)], free.velocity_w,
-                                                    free.angular_velocity_w));
-  }
-  const double none = tolerance::rounding * fastest;
-  for (const int k : island.bodies) {
-    MovingBody& now = island.now[idx(k)];
-    const MovingBody& free = island.free[idx(k)];
-    const double changed =
-        fastest_point_speed(island.world.bodies()[idx(k)], now.velocity_w - free.velocity_w,
-                            now.angular_velocity_w - free.angular_velocity_w);
-    if (changed <= none) now = free;
-  }
-  const auto is_held = [&](int k) {
-    return in_flight[idx(k)] == 0 || island.now[idx(k)].inverse_mass.x() == 0.0;
-  };
-  for (bool more = true; more;) {
-    more = false;
-    for (const int contact : island.upward) {
-      const ContactPatch& patch = island.all_patches[idx(contact)];
-      if (is_held(patch.first) == is_held(patch.second)) continue;
-      if (!(impulse_of(patch)[six::normal] * patch.inverse_mass[2][2] > none)) continue;
-      in_flight[idx(patch.first)] = in_flight[idx(patch.second)] = 0;
-      more = true;
-    }
-  }
-}
-
 // Where bodies still sink deeply, normal impulses are solved for with friction held as it is. If that adds energy, as friction
 // belonged to other pressures, with half of the friction, or none. What makes bodies sink no less is undone.
-void stop_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
-                  KeptSolution& before, std::vector<MovingBody>& held, std::span<char> in_flight,
-                  StepReport& report) {
+void stop_sinking(const Island& island, const IslandPlan& plan, const IslandEffort& effort,
+                  IslandSolver& solver, KeptSolution& before, std::vector<MovingBody>& held,
+                  std::span<char> in_flight, StepReport& report) {
   const double overlap = overlap_of_sinking(island);
-  if (!(overlap > plan.overlap)) return;
+  if (!(overlap > plan.overlap) || normal_exceeds_budget(island, effort, solver)) return;
   before.keep(island, in_flight);
   for (const double share : {1.0, 0.5, 0.0}) {
     hold_friction(island, share, held);
@@ -225,15 +194,15 @@ void ContactDamped::solve_again(const Island& island, StepReport& report) {
   note_approach(island);
   const IslandPlan plan = plan_island(island, {}, effort(), memory_.island_solver);
   sweep_at_most(options_.sweeps, island, plan, report);
-  accept(island, plan, false, report);
+  accept(island, plan, IslandOutcome::swept, report);
 }
 
-// Makes what a plan asks for. Returns whether the impulses are those of the direct solver.
-bool ContactDamped::run_plan(const Island& island, const IslandPlan& plan, const FirstSweeps& first,
-                             StepReport& report) {
+// Makes what a plan asks for.
+IslandOutcome ContactDamped::run_plan(const Island& island, const IslandPlan& plan,
+                                      const FirstSweeps& first, StepReport& report) {
   // [S6.3.1:methods]
   const auto directly = [&] { return solve_directly(island, plan, memory_.island_solver, report); };
-  bool direct = false;
+  auto outcome = IslandOutcome::swept;
   switch (plan.method) {
     case IslandMethod::settled: break;
     case IslandMethod::sweep:
@@ -243,49 +212,55 @@ bool ContactDamped::run_plan(const Island& island, const IslandPlan& plan, const
     case IslandMethod::sweep_unless_sinking:
       // Much of it moves, and there is time for the direct solver.
       if (!sweep_on(island, plan, first, report))
-        direct = solve_if_sinking(island, plan, memory_.island_solver, storage_.kept_swept, report);
+        outcome =
+            solve_if_sinking(island, plan, memory_.island_solver, storage_.kept_swept, report);
       break;
     case IslandMethod::sweep_then_direct:
       // It moves fast, slides, or sweeps converge.
-      if (!sweep_on(island, plan, first, report)) direct = directly();
+      if (!sweep_on(island, plan, first, report)) outcome = directly();
       break;
     case IslandMethod::blocks_then_direct:
       // It is quiet, and too costly to solve at once in each step.
       if (!sweep_and_solve_blocks(island, plan, storage_.block, memory_.island_solver,
                                   storage_.kept_swept, report))
-        direct = directly();
+        outcome = directly();
       break;
     case IslandMethod::direct_then_sweep:
       // Weight has to go through all of it at once.
-      direct = directly();
-      if (!direct) sweep_on(island, plan, first, report);
+      outcome = directly();
+      if (outcome == IslandOutcome::swept) sweep_on(island, plan, first, report);
       break;
   }
   // [S6.3.1:methods]
-  return direct;
+  return outcome;
 }
 
-// Impulses that push bodies apart are discarded, and sweeps begin anew, unless the island is so large that sweeps from nothing would
-// let it sink. Those that add energy are not taken as they are, nor those with which bodies sink deeply, and what has none flies.
-void ContactDamped::accept(const Island& island, const IslandPlan& plan, bool direct,
+// Impulses that push bodies apart are discarded, and sweeps begin anew: those of an impact that the direct solver has not found, and
+// swept ones, unless the island is so large that sweeps from nothing would let it sink. Those that add energy are not taken as they are,
+// nor those with which bodies sink deeply, and what has none flies.
+void ContactDamped::accept(const Island& island, const IslandPlan& plan, IslandOutcome outcome,
                            StepReport& report) {
-  const bool only_swept = plan.method == IslandMethod::sweep_unless_sinking && !direct;
-  if (only_swept && !is_small(island) && pushes_apart(island)) {
+  const bool only_swept =
+      outcome == IslandOutcome::swept && plan.method == IslandMethod::sweep_unless_sinking;
+  const bool unfinished = outcome == IslandOutcome::unconverged && has_impact(island);
+  if ((only_swept || unfinished) && pushes_apart(island)) {
     discard_impulses(island);
-    sweep_at_most(plan.max_sweeps, island, plan, report);
+    const int least = unfinished ? tolerance::sweeps_after_gain : 0;
+    sweep_at_most(std::max(plan.max_sweeps, least), island, plan, report);
+    outcome = IslandOutcome::swept;
   }
   double share = share_without_gain(island);
   if (share < tolerance::least_share) {
     share = sweep_without_gain(island, plan, report);
-    direct = false;
+    outcome = IslandOutcome::swept;
   }
   if (plan.method != IslandMethod::settled)  // which changes nothing
     for (const int contact : island.patch_indices)
-      island.all_patches[idx(contact)].solved_directly = direct;
+      island.all_patches[idx(contact)].solved_directly = outcome != IslandOutcome::swept;
   decide_flight(island, storage_.in_flight);
   limit_energy(island, share, report);
   if (plan.method != IslandMethod::settled && plan.method != IslandMethod::sweep)
-    stop_sinking(island, plan, memory_.island_solver, storage_.kept_swept, storage_.held,
+    stop_sinking(island, plan, effort(), memory_.island_solver, storage_.kept_swept, storage_.held,
                  storage_.in_flight, report);
 }
 
