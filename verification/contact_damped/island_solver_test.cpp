@@ -3,7 +3,7 @@
 #include "tumble/contact_damped/island_solver.hpp"
 
 #include "tumble/contact_damped/island_block.hpp"
-#include "tumble/contact_damped/persistent_manifolds.hpp"
+#include "tumble/contact_patches/persistent_manifolds.hpp"
 #include "tumble/math/complementarity.hpp"
 
 #include "contact_damped/helpers.hpp"

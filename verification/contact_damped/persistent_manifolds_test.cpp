@@ -1,6 +1,6 @@
 /// \file
 /// \brief Contact patches kept while bodies rest, and impulses passed on when they are built again.
-#include "tumble/contact_damped/persistent_manifolds.hpp"
+#include "tumble/contact_patches/persistent_manifolds.hpp"
 
 #include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/contact_patches/tolerances.hpp"

@@ -18,7 +18,7 @@ struct BodyMotion {
 };
 
 /// Moves a body: along its parabola if it is in flight, else with its velocity at the end of the step. One that turns by more
-/// than tolerance::turn_at_once does so in parts, since no rule of rotation keeps its energy at once.
+/// than tolerance::turn_at_once does so bit by bit, since no rule of rotation keeps its energy at once.
 /// \param k       its index, a movable body
 /// \param turn    [rad] by which it turns
 /// \param world   its constant part and gravity

@@ -23,7 +23,7 @@ inline constexpr double kSimultaneous = 1e-3;
 /// \param slowest  [m/s] slowest_bounce()
 [[nodiscard]] bool was_hit(const ContactPatch& patch, double slowest);
 
-/// The time at which a bounce sends a body into another one that it does not touch yet. All impacts of a step bounce at its end at
+/// The time of the first bounce that leaves another patch of its island open. All impacts of a step bounce at its end at
 /// once, as they should in a row of boxes that touch; across gaps, however small, one follows the other, and the step has to end
 /// in between.
 /// \param island  after its impulses were found

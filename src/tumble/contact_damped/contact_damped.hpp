@@ -14,7 +14,8 @@
 /// 4. island_solver.hpp: the direct solver, in island_setup.cpp, island_solver.cpp (ADMM) and island_newton.cpp
 ///    (Newton steps), with the arithmetic of island_math.hpp.
 /// 5. missed_and_turning.cpp: islands that have to be solved once more; step_parts.hpp: when a step is divided.
-/// 6. move_bodies.cpp: poses; bounce.cpp and bounce_order.hpp: restitution; correct_and_account.cpp: overlap and the energy account.
+/// 6. body_motion.hpp, move_bodies.cpp: poses; bounce.cpp and bounce_order.hpp: restitution; correct_and_account.cpp: overlap and
+///    the energy account.
 ///
 /// Iteration counts and residuals are in tolerances.hpp; one that a single file uses is at its head.
 #pragma once
@@ -26,7 +27,7 @@
 #include "tumble/contact_damped/island_order.hpp"
 #include "tumble/contact_damped/island_plan.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
-#include "tumble/contact_damped/persistent_manifolds.hpp"
+#include "tumble/contact_patches/persistent_manifolds.hpp"
 #include "tumble/contact_patches/patch_solver.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/technique.hpp"
@@ -47,7 +48,7 @@ struct ContactDampedOptions {
   int admm_iterations = 100;
   /// Work on a large island in motion. If its patches times `admm_iterations` exceed it, the island is only swept: budget
   /// over patches times, but at least `sweeps` times and at most 24, or 100 if little of it moves (or `sweeps`, if more).
-  /// A step is not divided any more for bounces that follow each other when it has cost twice as much. A quiet island that
+  /// Bounces and turns no longer divide a step when it has cost twice as much. A quiet island that
   /// costs too much to solve at once is swept within it, too, as long as sweeps keep it from sinking.
   /// Of 1000 cubes that fall together a step takes about 20 ms so.
   int budget = 50000;
@@ -83,8 +84,10 @@ struct ContactDampedOptions {
 ///    sink all the same, normal impulses are found by themselves. An island is solved again where
 ///    bodies are sent into others that were out of reach, and where they turn so far that they sink along the way.
 /// 4. Bodies held by something immovable move with their velocity at the end of the step, which is what contacts ask for; the
-///    others fly their parabola, also those that only push each other. One that turns by more than a quarter of a radian does so in parts of the step, since no rule keeps its
-///    energy at once. Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate), unless they would sink so.
+///    others fly their parabola, also those that only push each other. One that turns by more than a quarter of a radian does so
+///    bit by bit, since no rule keeps its
+///    energy at once. Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate), unless they would sink
+///    so.
 /// 5. Fast impacts bounce by Newton's restitution, at all points of an island at once: points that push and were
 ///    approached part with e times the speed on arrival, those that push without approach stay together. More sweeps find
 ///    these velocities; where they do not settle, all normal impulses are solved for together. A row of touching bodies that
@@ -108,7 +111,7 @@ struct ContactDampedOptions {
 /// StepReport::iterations. Its result is, within the
 /// cones of friction, the `impulse` of each point and the three sums of friction of each patch, and in Island::now the
 /// velocities that these impulses give, with MovingBody::changed of each body that gets one.
-/// ContactPatchPoint::solver_impulse stays if it has no friction by point.
+/// It ends as IslandOutcome::swept unless it writes ContactPatchPoint::solver_impulse too.
 /// \algorithm{Contact-wise damping: section 6.3.1}
 /// \deviation{Not in the thesis: its damping scales velocities of single bodies.}
 /// \verified{Stacks stand for four seconds, from exact and from scattered places}
@@ -164,8 +167,8 @@ class ContactDamped : public Technique {
     std::vector<PatchImpulses>
         impulses_before_bounce;                  // by patch: impulses before something bounced
     KeptSolution kept;                           // of an island, while raised targets are tried
-    KeptSolution kept_swept;                     // ditto, while the direct solver is
-    IslandBlock block;                           // of one that sweeps leave
+    KeptSolution kept_swept;                     // ditto, while a solver is tried
+    IslandBlock block;                           // what sweeps leave of one
     std::vector<MovingBody> held;                // velocities with friction alone
     PivotUpdate pivots;                          // bodies that are moved together
     std::vector<MovingBody> displacements;       // of the overlap correction

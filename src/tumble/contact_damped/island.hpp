@@ -55,7 +55,8 @@ struct SpeedRange {
   double higher = 0.0;  ///< [-] ditto
   double moving =
       0.0;  ///< [-] share of the patches that are faster than tolerance::moving_speed both times
-  /// No patch moves, or all that move belong to few bodies: one that slides over others moves, they do not, however many it touches.
+  /// No patch moves, or all that move belong to few bodies: one that slides over others moves, they do not, however many it
+  /// touches.
   bool few = false;
 };
 

@@ -16,7 +16,8 @@ namespace {
 // cubes with a tower comes to rest soonest; with 64 most solutions do not converge. (6.3.1)
 constexpr std::size_t kMostBodies = 16;
 
-// [-] Change by a sweep, as a share of g dt, from which on a body is among them. Reason: with 0.001 and 0.01 heaps rest as soon, but
+// [-] Change by a sweep, as a share of g dt, from which on a body is among them. Reason: with 0.001 and 0.01 heaps rest as soon,
+// but
 // by the change of a pair, down and up, a tower would not be seen: they nearly cancel. (6.3.1)
 constexpr double kLeastChange = 3e-3;
 

@@ -19,8 +19,8 @@ class IslandBlock {
   void start(const Island& island);
 
   /// Finds all patches of the few bodies that have changed most.
-  /// \return these patches and all their bodies; `free` are velocities without the impulses of these patches. It is empty if hardly
-  ///         any body has changed, and valid until the next call
+  /// \return these patches and all their bodies; `free` are velocities without the impulses of these patches. It is empty if no
+  ///         body has changed much, and valid until the next call
   Island find(const Island& island);
 
  private:

@@ -16,7 +16,8 @@ namespace {
 // as many as before it the number with which 125 cubes that fall together overlap least. (6.3.1)
 constexpr int kSweepsWhileMoving = 10;
 
-// [-] Multiplications of a factorization, over the budget, up to which Newton steps for normal impulses are within it. Reason: with 3
+// [-] Multiplications of a factorization, over the budget, up to which Newton steps for normal impulses are within it. Reason:
+// with 3
 // rows of 200 boxes that are hit move on as one; with 8 piles of 125 cubes cost half as much again, with 3 no more. (6.3.1)
 constexpr double kCheapFactor = 3.0;
 
@@ -29,7 +30,7 @@ int patch_iterations_of(const Island& island) {
              : tolerance::patch_iterations;
 }
 
-// [m/s] Skipped residuals add up from step to step, and a small island can do without.
+// [m/s] Skipped residuals add up from step to step; a small island skips none.
 double skipped_residual_of(const Island& island) {
   return is_small(island) ? 0.0 : tolerance::solved_residual * negligible_residual(island);
 }
@@ -226,8 +227,8 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
       !first.stale_warm_start && first.up < tolerance::sweeps_converging * first.down;
 
   // [S6.3.1:plan]
-  // Sweeps do well where they converge, and where the island moves fast or slides. The direct solver is for the
-  // others, and for small islands in any case. Where much moves, sweeps have to do, unless bodies sink deeply. Where
+  // Sweeps do well where they converge, and where the island moves fast or slides. The direct solver is for the others. Where
+  // much moves, sweeps have to do, unless bodies sink deeply. Where
   // little of a large island does, sweeps go on as long as they converge.
   const bool sweeps_first = kind == IslandKind::loose || kind == IslandKind::steady ||
                             speed.lower >= tolerance::fast_speed || converging ||

@@ -14,7 +14,7 @@ struct FirstSweeps {
   bool settled = false;  ///< the sweep down found nothing to change: the island is solved
   /// Nothing to change, but the impulses that stopped the island in the step before would set it moving.
   bool stale_warm_start = false;
-  /// It is quiet, and the impulses of the direct solver still nearly solve it: only what sticks was swept.
+  /// It hardly moves, and the impulses of the direct solver still nearly solve it: only what sticks was swept.
   bool nearly_solved = false;
 };
 
@@ -62,7 +62,8 @@ struct IslandPlan {
 /// \param direct_last_step    whether the direct solver was used for it in the step before
 FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport& report);
 
-/// Whether sweeps come first: much of a large island moves, so that contacts change before weight gets through all of it; or some of
+/// Whether sweeps have to do: much of a large island moves, so that contacts change before weight gets through all of it; or some
+/// of
 /// it moves, and the direct solver exceeds the budget; or much of a small one moves, and there are many such.
 /// \param island  with the impulses so far
 [[nodiscard]] bool has_to_be_swept(const Island& island, const SpeedRange& speed,
@@ -75,8 +76,8 @@ enum class IslandOutcome : std::uint8_t {
   direct        ///< by the direct solver
 };
 
-/// Whether Newton steps for the normal impulses of an island exceed the budget: it has many patches, and a factorization of its
-/// matrix costs much, which that of a row does not.
+/// Whether Newton steps for the normal impulses of an island exceed the budget: it has many patches, and its matrix costs much,
+/// which that of a row of up to 200 bodies does not.
 [[nodiscard]] bool normal_exceeds_budget(const Island& island, const IslandEffort& effort,
                                          IslandSolver& solver);
 

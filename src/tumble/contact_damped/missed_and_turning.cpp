@@ -4,6 +4,7 @@
 #include "tumble/contact_damped/body_motion.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/dynamics/flight.hpp"
 
 #include <algorithm>

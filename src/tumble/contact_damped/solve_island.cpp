@@ -103,7 +103,8 @@ IslandOutcome solve_if_sinking(const Island& island, const IslandPlan& plan, Isl
   return IslandOutcome::swept;
 }
 
-// Impulses that add energy, swept or of the direct solver, are no solution, but are near one. Each sweep that begins with them takes
+// Impulses that add energy, swept or of the direct solver, are no solution, but are near one. Each sweep that begins with them
+// takes
 // energy; enough are made where they add little, and slow patches are held. Where they do not get there, sweeps begin
 // without impulses, and add none whatever their number. Returns the share of the impulses that adds no energy.
 double sweep_without_gain(const Island& island, const IslandPlan& plan, StepReport& report) {
@@ -206,7 +207,7 @@ IslandOutcome ContactDamped::run_plan(const Island& island, const IslandPlan& pl
   switch (plan.method) {
     case IslandMethod::settled: break;
     case IslandMethod::sweep:
-      // Much of it moves, or the direct solver is off.
+      // It moves and costs too much, or the direct solver is off.
       sweep_on(island, plan, first, report);
       break;
     case IslandMethod::sweep_unless_sinking:
@@ -235,9 +236,10 @@ IslandOutcome ContactDamped::run_plan(const Island& island, const IslandPlan& pl
   return outcome;
 }
 
-// Impulses that push bodies apart are discarded, and sweeps begin anew: those of an impact that the direct solver has not found, and
-// swept ones, unless the island is so large that sweeps from nothing would let it sink. Those that add energy are not taken as they are,
-// nor those with which bodies sink deeply, and what has none flies.
+// Impulses that push bodies apart are discarded, and sweeps begin anew: those of an impact that the direct solver has not found,
+// and
+// swept ones where much moves, within the budget. Those that add energy are not taken as they are,
+// nor those with which bodies sink deeply, and what nothing holds flies.
 void ContactDamped::accept(const Island& island, const IslandPlan& plan, IslandOutcome outcome,
                            StepReport& report) {
   const bool only_swept =

@@ -6,18 +6,6 @@ namespace tumble::tolerance {
 
 // --- contact_damped -----------------------------------------------------------------------
 
-/// [-] Bodies that are as near as this share of the shortest edge touch, whatever their speed. Reason: a corner that hangs a
-/// millimetre over its support belongs to the patch that carries the box. (6.3.1)
-inline constexpr double kept_margin = 1e-3;
-
-/// [-] A corner beside a face is a point of contact if it is nearer than all others by this share of the shortest edge. Reason:
-/// with less, neighbours in a tower get points; with 0.02 and 0.05, cubes that hit at 6 m/s overlap more. (3.2)
-inline constexpr double corner_beside = 0.005;
-
-/// [-] A contact patch is kept while neither body has moved by more than this share of an edge, or turned by as many radians.
-/// Reason: lever arms are wrong by as much, and gaps by its square. (6.3.1)
-inline constexpr double kept_motion = 1e-6;
-
 /// [-] An island is left as it is if the impulses of the step before leave no velocity wrong by more than this share of g dt.
 /// Reason: 1.6e-6 m/s at 60 Hz is a tenth of a millimetre in a minute. (6.3.1)
 inline constexpr double contact_settled = 1e-5;
@@ -96,10 +84,6 @@ inline constexpr double fast_way = 0.5;
 /// cubes gain nothing; a rod a hundred times as long as thick gains thirty times what it has. (6.2)
 inline constexpr double carried_gain = 0.01;
 
-/// [-] Growth of a pair's reach at which a kept patch is looked for again. Reason: at rest it does not change; a push changes it by
-/// more. (3.2)
-inline constexpr double kept_reach = 2.0;
-
 /// [-] How much further than its spring a point goes in an iteration. Reason: 1.5 to 1.8 save a third of the iterations; 2 would
 /// never end. (6.3.1)
 inline constexpr double admm_relaxation = 1.6;
@@ -131,7 +115,7 @@ inline constexpr int small_island = 20;
 /// [-] Sweeps over a small island, at least. Reason: as for small_island. (6.3.1)
 inline constexpr int small_island_sweeps = 50;
 
-/// [-] Friction and pressure in turn within its patches in the first two sweeps, at most, and in later ones of all its patches
+/// [-] Friction and pressure in turn in a patch of a small island in the first two sweeps, at most; later in all its patches
 /// together. Reason: a sweep that settles the island is the last one, and a single box takes half of the time. (6.3.1)
 inline constexpr int first_patch_iterations = 20;
 
@@ -146,12 +130,13 @@ inline constexpr int fast_patch_iterations = 1;
 /// the largest with which a tower keeps its height while a block is pulled out of it. (6.3.1)
 inline constexpr double slow_approach = 0.03;
 
-/// [-] Impulses that add energy are scaled back, to this share of them at least; others are dropped, and sweeps begin without any.
+/// [-] Impulses that add energy are scaled back, to this share at least; others are swept on, and dropped if that fails.
 /// Reason: of 0.99, 0.9 and 0.7 the largest with which no tower sinks while a block is pulled out. (6.3.1)
 inline constexpr double least_share = 0.9;
 
 /// [-] Swept impulses are discarded if the work of those that push bodies apart exceeds this share of the energy of the island's
-/// change of velocity. Reason: rows of 20 to 60 boxes that are hit move at one speed to 5 %; with 1 to 28 %, with 0.1 piles overlap by a
+/// change of velocity. Reason: rows of 20 to 60 boxes that are hit move at one speed to 5 %; with 1 to 28 %, with 0.1 piles
+/// overlap by a
 /// quarter more. (6.3.1)
 inline constexpr double work_apart = 0.3;
 
@@ -159,11 +144,12 @@ inline constexpr double work_apart = 0.3;
 /// (6.3.1)
 inline constexpr double work_apart_floor = 0.1;
 
-/// [-] Times that a step looks for pairs that its impulses push together, at most. Reason: an impact goes on through a row of twenty
+/// [-] Times that a step looks for pairs that its impulses push together, at most. Reason: an impact goes on through a row of
+/// twenty
 /// bodies, as many as a small island has. (6.3.1)
 inline constexpr int rounds_of_missed = 20;
 
-/// [-] Sweeps that follow where the direct solver has added energy, at most. Reason: of 12 and 50 the one with which fewer pairs of
+/// [-] Sweeps that follow where impulses have added energy, at most. Reason: of 12 and 50 the one with which fewer pairs of
 /// 125 cubes that fall together go into each other; it is rarely needed. (6.3.1)
 inline constexpr int sweeps_after_gain = 50;
 
@@ -178,7 +164,7 @@ inline constexpr int steady_sweeps = 100;
 /// [-] Sweeps after which it is seen whether they converge. Reason: down and up, twice. (6.3.1)
 inline constexpr int sweeps_to_halve = 4;
 
-/// [-] Way by which bodies of such an island may sink into each other in a step, as a share of the shortest edge, before the direct
+/// [-] Way by which bodies of an island may sink into each other in a step, as a share of the shortest edge, before the direct
 /// solver is tried. Reason: of 0.003, 0.01 and 0.03 the one that 125 falling cubes never reach. (6.3.1)
 inline constexpr double deep_sinking = 0.03;
 
@@ -198,7 +184,8 @@ inline constexpr int newton_step_sweeps = 10;
 /// overlap from before is there although nothing sinks. (6.3.1)
 inline constexpr double sinking_that_counts = 1e-3;
 
-/// [-] Sweeps over such an island end below this share of g dt. Reason: a tenth of what ADMM may leave in a fast one. (6.3.1)
+/// [-] Sweeps over an island much of which moves end below this share of g dt. Reason: it changes before the last digits matter.
+/// (6.3.1)
 inline constexpr double loose_residual = 0.01;
 
 /// [-] Sweeps are converging if the second one corrects less than this share of the first. Reason: one or two more are enough then.

@@ -1,12 +1,11 @@
 /// \file
 /// \brief The contact patches of a step, kept while bodies rest.
-#include "tumble/contact_damped/persistent_manifolds.hpp"
+#include "tumble/contact_patches/persistent_manifolds.hpp"
 
 #include "tumble/base/index.hpp"
 #include "tumble/contact/gather.hpp"
 #include "tumble/contact/meeting.hpp"
 #include "tumble/contact/movable_edge.hpp"
-#include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/contact_patches/grazed_edges.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/geometry/nearest_point.hpp"
