@@ -7,7 +7,6 @@
 #include "tumble/base/cloned.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/geometric_stability/as_printed/set_geometrically_stable_as_printed.hpp"
-#include "tumble/impulse_damped/as_printed/damped_errata.hpp"
 #include "tumble/impulse_damped/as_printed/printed_objects.hpp"
 #include "tumble/impulse_damped/as_printed/resolve_as_printed.hpp"
 #include "tumble/impulse_damped/damped_numbers.hpp"

@@ -4,7 +4,7 @@
 
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/world.hpp"
-#include "tumble/impulse_damped/as_printed/damped_errata.hpp"
+#include "tumble/impulse_damped/as_printed/printed_objects.hpp"
 #include "tumble/impulse_damped/damped_numbers.hpp"
 
 #include <cstdint>

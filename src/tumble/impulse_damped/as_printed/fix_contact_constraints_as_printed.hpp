@@ -4,7 +4,7 @@
 
 #include "tumble/contact/contact.hpp"
 #include "tumble/dynamics/world.hpp"
-#include "tumble/impulse_damped/as_printed/damped_errata.hpp"
+#include "tumble/impulse_damped/as_printed/printed_objects.hpp"
 
 #include <cstdint>
 #include <span>
