@@ -4,7 +4,6 @@
 
 #include "tumble/base/index.hpp"
 #include "tumble/contact/tolerances.hpp"
-#include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
 
 #include <algorithm>

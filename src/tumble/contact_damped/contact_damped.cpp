@@ -8,7 +8,6 @@
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/bounce_order.hpp"
 #include "tumble/contact_damped/step_parts.hpp"
-#include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/dynamics/step_report.hpp"
 

@@ -1,7 +1,7 @@
 /// \file
 /// \brief The default technique: contact patches that stick, slide or open, solved stiffly (thesis 6.3.1).
 ///
-/// Depends on contact, contact_patches, dynamics and geometry, on no other technique.
+/// Depends on contact, contact_patches, dynamics, geometry and math, on no other technique.
 ///
 /// **Reading order.** This header and ContactDamped::step() in contact_damped.cpp; then what that uses:
 /// 1. contact_patches/contact_patch.hpp: where two bodies touch, the unit of all solving; persistent_manifolds.hpp finds the
@@ -9,7 +9,7 @@
 ///    island_order.hpp groups and orders them.
 /// 2. contact_patches/patch_solver.hpp: one patch by itself (its friction: minimum_in_ball()). island.hpp: a sweep over all
 ///    patches of an island.
-/// 3. solve_island.cpp: the impulses of an island, by one of the methods in island_plan.hpp; island_block.hpp: what sweeps leave of
+/// 3. solve_island.cpp: the impulses of an island, as plan_island() in island_plan.cpp says; island_block.hpp: what sweeps leave of
 ///    it; island_energy.cpp: impulses that would add energy.
 /// 4. island_solver.hpp: the direct solver, in island_setup.cpp, island_solver.cpp (ADMM) and island_newton.cpp
 ///    (Newton steps), with the arithmetic of island_math.hpp.
@@ -27,8 +27,8 @@
 #include "tumble/contact_damped/island_order.hpp"
 #include "tumble/contact_damped/island_plan.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
-#include "tumble/contact_patches/persistent_manifolds.hpp"
 #include "tumble/contact_patches/patch_solver.hpp"
+#include "tumble/contact_patches/persistent_manifolds.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
 #include "tumble/dynamics/technique.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
@@ -75,27 +75,26 @@ struct ContactDampedOptions {
 /// 1. Velocities get their share of gravity.
 /// 2. Contact patches are found where bodies touch, or will within the time that is left of the step, and kept while
 ///    their bodies rest (PersistentManifolds). They are grouped by islands (IslandOrder).
-/// 3. Each island is solved by solve_island(). It starts with the impulses of the step before and one Gauss-Seidel
-///    sweep down; if that changes something, one up. If it is not settled, plan_island() chooses: a bounded number of sweeps in
-///    a heap in which much moves; where little of a large island does, sweeps as long as they converge; more sweeps where it
+/// 3. Each island is solved by solve_island(). It starts with the impulses of the step before and one Gauss-Seidel sweep
+///    down; if that changes something, one up. If it is not settled, plan_island() chooses: a bounded number of sweeps in a
+///    heap in which much moves; where little of a large island does, sweeps as long as they converge; more sweeps where it
 ///    slides; in a large heap that comes to rest, sweeps and then the bodies that these leave, by themselves (IslandBlock);
 ///    all patches at once (IslandSolver) elsewhere, and where sweeps were not enough. Impulses that would add much energy are
-///    corrected by sweeps. Where much moves and bodies would still sink deeply, all patches at once are tried, too; where they
-///    sink all the same, normal impulses are found by themselves. An island is solved again where
-///    bodies are sent into others that were out of reach, and where they turn so far that they sink along the way.
+///    corrected by sweeps. Where much moves and bodies would still sink deeply, all patches at once are tried, too; wherever
+///    some still sink, normal impulses are found by themselves. An island is solved again where bodies are sent into others
+///    that were out of reach, and where they turn so far that they sink along the way.
 /// 4. Bodies held by something immovable move with their velocity at the end of the step, which is what contacts ask for; the
-///    others fly their parabola, also those that only push each other. One that turns by more than a quarter of a radian does so
-///    bit by bit, since no rule keeps its
-///    energy at once. Bodies that turn together are moved together (PoseUpdate::exponential, PivotUpdate), unless they would sink
-///    so.
+///    others fly their parabola, also those that only push each other. One that turns by more than a quarter of a radian does
+///    so bit by bit, since no rule keeps its energy at once. Bodies that turn together are moved together
+///    (PoseUpdate::exponential, PivotUpdate), unless they would sink so.
 /// 5. Fast impacts bounce by Newton's restitution, at all points of an island at once: points that push and were
 ///    approached part with e times the speed on arrival, those that push without approach stay together. More sweeps find
 ///    these velocities; where they do not settle, all normal impulses are solved for together. A row of touching bodies that
 ///    is hit leaves as one piece, apart from the body that hit it; across gaps, one bounce follows the other, in up to
 ///    kMostBounces parts of the step. Where that asks for more energy than there is, limit_bounce() takes as much of it as
-///    there is. A bounce is over then: its impulses are not the start of the next step (forget_bounces()).
+///    there is. A bounce is over then: the next step starts with no more impulse than this one (forget_bounces()).
 /// 6. Overlap beyond a slop is corrected by displacements; a body keeps its velocity in its own frame, and so its energy.
-/// 7. Islands at rest are put to sleep if that is on.
+/// 7. After all parts, islands at rest are put to sleep if that is on.
 ///
 /// **Why it is stiff, quiet and fast.** A patch sticks as a whole, by one product with a 6×6
 /// inverse. The impulses of the step before solve the next one as long as nothing changes, and nothing
@@ -106,12 +105,12 @@ struct ContactDampedOptions {
 /// \par Cost
 /// At rest about 0.4 us for each pair that touches.
 /// \par Extending it
-/// Another solver for an island is one more IslandMethod with its limits in IslandPlan: plan_island() chooses it, run_plan() runs
-/// it, accept() judges it, and what it keeps between steps is a member of ContactDamped::Memory. It counts its work in
-/// StepReport::iterations. Its result is, within the
-/// cones of friction, the `impulse` of each point and the three sums of friction of each patch, and in Island::now the
-/// velocities that these impulses give, with MovingBody::changed of each body that gets one.
-/// It ends as IslandOutcome::swept unless it writes ContactPatchPoint::solver_impulse too.
+/// Another solver is one more IslandMethod with its limits in IslandPlan (solve_again() only sweeps where sweeps have to do):
+/// plan_island() chooses it, run_plan() runs it, accept() judges it, and what it keeps between steps is a member of
+/// ContactDamped::Memory. It counts its work in StepReport::iterations. Its result is, within the cones of friction, the
+/// `impulse` of each point and the three sums of friction of each patch, and in Island::now the velocities that these
+/// impulses give, with MovingBody::changed of each body that gets one. It ends as IslandOutcome::swept unless it writes
+/// ContactPatchPoint::solver_impulse too.
 /// \algorithm{Contact-wise damping: section 6.3.1}
 /// \deviation{Not in the thesis: its damping scales velocities of single bodies.}
 /// \verified{Stacks stand for four seconds, from exact and from scattered places}

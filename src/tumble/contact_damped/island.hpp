@@ -69,7 +69,7 @@ struct SpeedRange {
 /// How many patches of an island are faster than tolerance::moving_speed before the step.
 [[nodiscard]] std::int64_t moving_patches(const Island& island);
 
-/// Whether an island is large and moves fast: its contacts change in the next step, so nothing is solved far.
+/// Whether an island is large and moves fast: its contacts change at once, so its overlap gets few sweeps.
 [[nodiscard]] bool is_large_and_fast(const Island& island);
 
 /// Whether an island has at most tolerance::small_island bodies.

@@ -3,7 +3,6 @@
 #include "tumble/contact_damped/island_block.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/contact_damped/tolerances.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -125,7 +125,7 @@ bool much_moves(const Island& island, const SpeedRange& speed) {
 
 // What an island is like: each kind has its limits.
 enum class IslandKind {
-  small,   // or few of its bodies move: solved to convergence
+  exact,   // small, or few of its bodies move: solved to convergence
   loose,   // much of it moves, and it has to be swept
   steady,  // large, and some of it moves
   quiet    // large, and nothing of it moves
@@ -134,9 +134,9 @@ enum class IslandKind {
 IslandKind kind_of(const Island& island, const SpeedRange& speed, bool swept,
                    const IslandEffort& effort, IslandSolver& solver) {
   if (swept && much_moves(island, speed)) return IslandKind::loose;
-  if (is_small(island)) return IslandKind::small;
+  if (is_small(island)) return IslandKind::exact;
   if (!moves(speed)) return IslandKind::quiet;
-  return speed.few && !normal_exceeds_budget(island, effort, solver) ? IslandKind::small
+  return speed.few && !normal_exceeds_budget(island, effort, solver) ? IslandKind::exact
                                                                      : IslandKind::steady;
 }
 
@@ -227,9 +227,9 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
       !first.stale_warm_start && first.up < tolerance::sweeps_converging * first.down;
 
   // [S6.3.1:plan]
-  // Sweeps do well where they converge, and where the island moves fast or slides. The direct solver is for the others. Where
-  // much moves, sweeps have to do, unless bodies sink deeply. Where
-  // little of a large island does, sweeps go on as long as they converge.
+  // Sweeps do well where they converge, and where the island moves fast or slides. The direct solver is for the
+  // others. Where much moves, sweeps have to do, unless bodies sink deeply. Where little of a large island does,
+  // sweeps go on as long as they converge. A quiet one that costs too much gets blocks instead, below.
   const bool sweeps_first = kind == IslandKind::loose || kind == IslandKind::steady ||
                             speed.lower >= tolerance::fast_speed || converging ||
                             has_sliding_patch(island, unit);
@@ -248,7 +248,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   plan.sweeps_if_unconverged = tolerance::small_island_sweeps;
   plan.overlap = tolerance::large_island_overlap;
   switch (kind) {
-    case IslandKind::small:
+    case IslandKind::exact:
       plan.max_sweeps = std::max(effort.sweeps, tolerance::small_island_sweeps);
       plan.residual = tolerance::solved_residual_exact * negligible;
       plan.direct = small_limits(island, effort.admm_iterations);
@@ -287,7 +287,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   plan.block.residual = tolerance::solved_residual * negligible;
   plan.block.max_newton_steps = tolerance::small_newton_steps;
   plan.block.near = 0.0;
-  if (kind == IslandKind::small) return plan;
+  if (kind == IslandKind::exact) return plan;
   for (int* const count :
        {&plan.max_sweeps, &plan.direct.max_iterations, &plan.direct.max_newton_steps})
     *count = (*count + effort.parts - 1) / effort.parts;

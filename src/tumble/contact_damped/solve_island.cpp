@@ -135,8 +135,8 @@ void hold_friction(const Island& island, double share, std::vector<MovingBody>& 
   }
 }
 
-// Where bodies still sink deeply, normal impulses are solved for with friction held as it is. If that adds energy, as friction
-// belonged to other pressures, with half of the friction, or none. What makes bodies sink no less is undone.
+// Where overlap exceeds that of the plan, normal impulses are solved for with friction held as it is. If that adds energy, as
+// friction belonged to other pressures, with half of the friction, or none. What makes bodies sink no less is undone.
 void stop_sinking(const Island& island, const IslandPlan& plan, const IslandEffort& effort,
                   IslandSolver& solver, KeptSolution& before, std::vector<MovingBody>& held,
                   std::span<char> in_flight, StepReport& report) {
@@ -184,7 +184,7 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
 }
 
 // Solves an island again whose patches or targets are new. In one that is left to sweeps few of them are: sweeps go on from its
-// impulses. Others begin as in the first time.
+// impulses. Others begin with what was found.
 void ContactDamped::solve_again(const Island& island, StepReport& report) {
   for (const int body : island.bodies) storage_.in_flight[idx(body)] = 1;
   if (!has_to_be_swept(island, speed_range(island), effort())) {
@@ -217,7 +217,7 @@ IslandOutcome ContactDamped::run_plan(const Island& island, const IslandPlan& pl
             solve_if_sinking(island, plan, memory_.island_solver, storage_.kept_swept, report);
       break;
     case IslandMethod::sweep_then_direct:
-      // It moves fast, slides, or sweeps converge.
+      // Little of it moves, or fast, or it slides, or sweeps converge.
       if (!sweep_on(island, plan, first, report)) outcome = directly();
       break;
     case IslandMethod::blocks_then_direct:
