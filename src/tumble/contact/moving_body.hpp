@@ -32,6 +32,14 @@ struct MovingBody {
   return velocity_w.norm() + 0.5 * body.size.norm() * angular_velocity_w.norm();
 }
 
+/// The speed of the fastest point in the change of a body's velocity, in the sense of fastest_point_speed().
+/// \return [m/s]
+[[nodiscard]] inline double fastest_point_change(const BodyProperties& body, const MovingBody& from,
+                                                 const MovingBody& to) {
+  return fastest_point_speed(body, to.velocity_w - from.velocity_w,
+                             to.angular_velocity_w - from.angular_velocity_w);
+}
+
 /// Reads the velocity of a body, \f$v = P/m\f$ and \f$\omega = I_w^{-1} L\f$.
 [[nodiscard]] MovingBody moving_body_of(const BodyProperties& body, const BodyState& state);
 

@@ -33,7 +33,7 @@ void note_approach_of(const Island& island, ContactPatch& patch) {
 }
 
 // sqrt(g L) [m/s], or what stands for it.
-double speed_unit(const Island& island, double size) {
+double fall_speed(const Island& island, double size) {
   const double g = island.world.gravity_w.norm();
   return g > 0.0 ? std::sqrt(g * size) : tolerance::weightless_unit * size / island.dt;
 }
@@ -41,7 +41,7 @@ double speed_unit(const Island& island, double size) {
 // Speed of the fastest point of a patch, of its two bodies along each other or apart, as a share of sqrt(g L).
 double scaled_speed(const Island& island, const ContactPatch& patch,
                     std::span<const MovingBody> moving) {
-  const double unit = speed_unit(island, patch.size);
+  const double unit = fall_speed(island, patch.size);
   const Six u = motion_of(patch, moving[idx(patch.first)], moving[idx(patch.second)]);
   double most = 0.0;
   for (const ContactPatchPoint& p : patch.used())
@@ -57,7 +57,7 @@ bool is_slow(const Island& island, std::span<const MovingBody> moving) {
     fastest = std::max(fastest,
                        fastest_point_speed(island.world.bodies()[idx(k)], moving[idx(k)].velocity_w,
                                            moving[idx(k)].angular_velocity_w));
-  return 4.0 * fastest < tolerance::moving_speed * speed_unit(island, shortest_edge(island));
+  return 4.0 * fastest < tolerance::moving_speed * fall_speed(island, shortest_edge(island));
 }
 
 // Whether a patch moves before the step, and with the impulses so far.
@@ -195,7 +195,7 @@ bool is_small(const Island& island) {
 bool has_impact(const Island& island) {
   return std::any_of(island.patch_indices.begin(), island.patch_indices.end(), [&](int contact) {
     const ContactPatch& patch = island.all_patches[idx(contact)];
-    const double fast = tolerance::fast_speed * speed_unit(island, patch.size);
+    const double fast = tolerance::fast_speed * fall_speed(island, patch.size);
     const auto points = patch.used();
     return std::any_of(points.begin(), points.end(),
                        [&](const ContactPatchPoint& p) { return p.approach < -fast; });

@@ -15,9 +15,8 @@ namespace {
 // cubes with a tower comes to rest soonest; with 64 most solutions do not converge. (6.3.1)
 constexpr std::size_t kMostBodies = 16;
 
-// [-] Change by a sweep, as a share of g dt, from which on a body is among them. Reason: with 0.001 and 0.01 heaps rest as soon,
-// but
-// by the change of a pair, down and up, a tower would not be seen: they nearly cancel. (6.3.1)
+// [-] Change by a sweep, as a share of g dt, from which on a body is among them. Reason: with 0.001 and 0.01 heaps rest as soon.
+// By the change of a pair, down and up, a tower would not be seen: they nearly cancel. (6.3.1)
 constexpr double kLeastChange = 3e-3;
 
 }  // namespace
@@ -27,21 +26,16 @@ void IslandBlock::start(const Island& island) {
   for (const int k : island.bodies) before_.push_back(island.now[idx(k)]);
 }
 
-double IslandBlock::change(const Island& island, std::size_t place) const {
-  const int k = island.bodies[place];
-  const MovingBody& now = island.now[idx(k)];
-  return fastest_point_speed(island.world.bodies()[idx(k)],
-                             now.velocity_w - before_[place].velocity_w,
-                             now.angular_velocity_w - before_[place].angular_velocity_w);
-}
-
 // Marks the bodies that have changed most.
 void IslandBlock::choose(const Island& island) {
   const double least = kLeastChange * unit_speed(island);
   changes_.clear();
-  for (std::size_t i = 0; i < before_.size(); ++i)
-    if (const double by = change(island, i); by > least)
-      changes_.emplace_back(by, island.bodies[i]);
+  for (std::size_t i = 0; i < before_.size(); ++i) {
+    const int body = island.bodies[i];
+    const double by =
+        fastest_point_change(island.world.bodies()[idx(body)], before_[i], island.now[idx(body)]);
+    if (by > least) changes_.emplace_back(by, body);
+  }
   std::sort(changes_.begin(), changes_.end(), std::greater<>());
   if (changes_.size() > kMostBodies) changes_.resize(kMostBodies);
   chosen_.assign(island.now.size(), 0);

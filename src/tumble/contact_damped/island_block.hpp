@@ -25,7 +25,6 @@ class IslandBlock {
 
  private:
   void choose(const Island& island);
-  [[nodiscard]] double change(const Island& island, std::size_t place) const;
 
   std::vector<MovingBody> before_;  // by the island's bodies: velocities at the start of the sweep
   // Of the block.

@@ -17,8 +17,7 @@ namespace {
 constexpr int kSweepsWhileMoving = 10;
 
 // [-] Multiplications of a factorization, over the budget, up to which Newton steps for normal impulses are within it. Reason:
-// with 3
-// rows of 200 boxes that are hit move on as one; with 8 piles of 125 cubes cost half as much again, with 3 no more. (6.3.1)
+// with 3 rows of 200 boxes that are hit move on as one; with 8 piles of 125 cubes cost half as much again, with 3 no more. (6.3.1)
 constexpr double kCheapFactor = 3.0;
 
 // Friction and pressure in turn within a patch, in each sweep. Of a single patch they are all there is to do; of many, sweeps do
@@ -38,13 +37,9 @@ double skipped_residual_of(const Island& island) {
 // By how much this step speeds up the fastest point of an island [m/s].
 double speed_gained(const Island& island) {
   double most = 0.0;
-  for (const int k : island.bodies) {
-    const MovingBody& before = island.start[idx(k)];
-    const MovingBody& now = island.now[idx(k)];
-    most = std::max(
-        most, fastest_point_speed(island.world.bodies()[idx(k)], now.velocity_w - before.velocity_w,
-                                  now.angular_velocity_w - before.angular_velocity_w));
-  }
+  for (const int k : island.bodies)
+    most = std::max(most, fastest_point_change(island.world.bodies()[idx(k)], island.start[idx(k)],
+                                               island.now[idx(k)]));
   return most;
 }
 

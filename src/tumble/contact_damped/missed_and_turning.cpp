@@ -99,9 +99,7 @@ bool ContactDamped::is_sent_elsewhere(const World& world, double dt) const {
   // Candidates were found along `free`; at rest `end` is `start`, which the margins include.
   const auto differs = [&](std::size_t k, const std::vector<MovingBody>& velocities) {
     const BodyProperties& body = world.bodies()[k];
-    const Vec3 push_w = velocities_.end[k].velocity_w - velocities[k].velocity_w;
-    const Vec3 turn_w = velocities_.end[k].angular_velocity_w - velocities[k].angular_velocity_w;
-    return dt * fastest_point_speed(body, push_w, turn_w) >
+    return dt * fastest_point_change(body, velocities[k], velocities_.end[k]) >
            tolerance::kept_margin * body.size.minCoeff();
   };
   for (std::size_t k = 0; k < velocities_.end.size(); ++k)

@@ -38,10 +38,7 @@ void decide_flight(const Island& island, std::span<char> in_flight) {
   for (const int k : island.bodies) {
     MovingBody& now = island.now[idx(k)];
     const MovingBody& free = island.free[idx(k)];
-    const double changed =
-        fastest_point_speed(island.world.bodies()[idx(k)], now.velocity_w - free.velocity_w,
-                            now.angular_velocity_w - free.angular_velocity_w);
-    if (changed <= none) now = free;
+    if (fastest_point_change(island.world.bodies()[idx(k)], free, now) <= none) now = free;
   }
   const auto is_held = [&](int k) {
     return in_flight[idx(k)] == 0 || island.now[idx(k)].inverse_mass.x() == 0.0;

@@ -81,7 +81,7 @@ bool sweep_and_solve_blocks(const Island& island, const IslandPlan& plan, Island
   for (int k = 0; k < pairs + kBlockRounds; ++k) {
     if (k >= pairs) solve_block(left.find(island), plan, solver, before, report);
     for (int way = 0; way < 2; ++way) {
-      left.start(island);
+      if (way == 1 && k + 1 >= pairs) left.start(island);  // find() looks at the sweep before it
       residual = sweep_number(way, island, plan, report);
       if (residual < plan.residual) return true;
     }
@@ -104,8 +104,7 @@ IslandOutcome solve_if_sinking(const Island& island, const IslandPlan& plan, Isl
 }
 
 // Impulses that add energy, swept or of the direct solver, are no solution, but are near one. Each sweep that begins with them
-// takes
-// energy; enough are made where they add little, and slow patches are held. Where they do not get there, sweeps begin
+// takes energy; enough are made where they add little, and slow patches are held. Where they do not get there, sweeps begin
 // without impulses, and add none whatever their number. Returns the share of the impulses that adds no energy.
 double sweep_without_gain(const Island& island, const IslandPlan& plan, StepReport& report) {
   ++report.fallbacks;
@@ -237,9 +236,8 @@ IslandOutcome ContactDamped::run_plan(const Island& island, const IslandPlan& pl
 }
 
 // Impulses that push bodies apart are discarded, and sweeps begin anew: those of an impact that the direct solver has not found,
-// and
-// swept ones where much moves, within the budget. Those that add energy are not taken as they are,
-// nor those with which bodies sink deeply, and what nothing holds flies.
+// and swept ones where much moves, within the budget. Those that add energy are not taken as they are, nor those with which
+// bodies sink deeply, and what nothing holds flies.
 void ContactDamped::accept(const Island& island, const IslandPlan& plan, IslandOutcome outcome,
                            StepReport& report) {
   const bool only_swept =

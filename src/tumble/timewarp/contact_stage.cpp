@@ -55,7 +55,8 @@ void ContactStage::release_pushed(const World& world, std::span<const int> pushe
   for (const int index : pushed) {
     const auto body = static_cast<std::size_t>(index);
     const MovingBody now = moving_body_of(world.bodies()[body], world.states()[body]);
-    if (speed_change(world.bodies()[body], before[body], now) > gained_by_gravity) release(index);
+    if (fastest_point_change(world.bodies()[body], before[body], now) > gained_by_gravity)
+      release(index);
   }
 }
 

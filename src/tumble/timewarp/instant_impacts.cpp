@@ -30,11 +30,6 @@ bool hardly_approach(const World& world, std::span<const IndexPair> pairs,
 
 }  // namespace
 
-double speed_change(const BodyProperties& body, const MovingBody& before, const MovingBody& after) {
-  return fastest_point_speed(body, after.velocity_w - before.velocity_w,
-                             after.angular_velocity_w - before.angular_velocity_w);
-}
-
 bool only_rounding(const World& world, const Event& event, double time) {
   for (const BodyId id : {event.first, event.second}) {
     const BodyProperties& body = world.bodies()[idx(world.index_of(id))];

@@ -34,11 +34,6 @@ struct InstantReport {
   std::span<const Contact> contacts;  ///< with their impulses; valid until the next call
 };
 
-/// Upper bound on the velocity change of any point of a body in an impact.
-/// \return [m/s] change of linear velocity plus change of angular velocity times half the diagonal
-[[nodiscard]] double speed_change(const BodyProperties& body, const MovingBody& before,
-                                  const MovingBody& after);
-
 /// Whether an impact is negligible, as resting bodies have them in every frame.
 /// \param time   [s] above 0
 /// \return true if its impulse moves each body in that time by at most tolerance::rounding_overlap

@@ -228,7 +228,8 @@ void TimewarpFull::collide(int body, const Meeting& meeting) {
     const BodyProperties& properties = scratch_.bodies()[idx(both[k])];
     if (!properties.movable()) continue;
     const BodyState& state = scratch_.states()[idx(both[k])];
-    collision.pushes[k] = speed_change(properties, old[k], moving_body_of(properties, state));
+    collision.pushes[k] =
+        fastest_point_change(properties, old[k], moving_body_of(properties, state));
     histories_[idx(both[k])].add(milestone(both[k], meeting.time, state, collision.number),
                                  properties, scratch_.gravity_w);
     wait_for_turn(both[k]);
