@@ -33,7 +33,8 @@ class Series : public RunObserver {
 
 struct Outcome {
   std::string technique;
-  std::string end;  // as in the tables
+  std::string end;      // as in the tables
+  std::string refusal;  // why it did not begin, or go on; without its name
   RunResult result;
   double wall = 0.0;  // [s]
 };
@@ -47,12 +48,33 @@ void print_table(const std::vector<Outcome>& outcomes) {
               "collisions", "overlap_m", "energy_err_J", "chatter_m", "ms/step");
   for (const Outcome& o : outcomes) {
     const RunResult& r = o.result;
-    const auto steps = static_cast<double>(std::max<std::int64_t>(1, r.steps));
+    if (r.steps == 0) {
+      std::printf("%-16s %-11s %9d %11s %12s %12s %12s %10s\n", o.technique.c_str(), o.end.c_str(),
+                  0, "-", "-", "-", "-", "-");
+      continue;
+    }
+    const auto steps = static_cast<double>(r.steps);
     std::printf("%-16s %-11s %9lld %11lld %12.4g %12.4g %12.4g %10.4g\n", o.technique.c_str(),
                 o.end.c_str(), static_cast<long long>(r.steps),
                 static_cast<long long>(r.totals.events), r.worst_metrics.deepest_overlap,
                 r.worst_metrics.energy_error, r.last.chatter.amplitude, 1e3 * o.wall / steps);
   }
+}
+
+// Why techniques refused the scene: each reason once.
+void print_refusals(const std::vector<Outcome>& outcomes) {
+  std::vector<std::pair<std::string, std::string>> by_reason;  // reason, names
+  for (const Outcome& o : outcomes) {
+    if (o.refusal.empty()) continue;
+    const auto same = std::find_if(by_reason.begin(), by_reason.end(),
+                                   [&](const auto& one) { return one.first == o.refusal; });
+    if (same == by_reason.end())
+      by_reason.emplace_back(o.refusal, o.technique);
+    else
+      same->second += ", " + o.technique;
+  }
+  for (const auto& [reason, names] : by_reason)
+    std::fprintf(stderr, "refused by %s: %s\n", names.c_str(), reason.c_str());
 }
 
 void write_tables(const std::filesystem::path& folder, const std::vector<Outcome>& outcomes) {
@@ -123,7 +145,10 @@ Outcome run_one(const Request& request, ResolvedRequest& resolved, double limit,
     if (out.result.end == RunEnd::complete && !out.result.findings.empty()) out.end = "unphysical";
   } catch (const std::invalid_argument& error) {
     out.end = "refused";
-    std::fprintf(stderr, "%s: %s\n", out.technique.c_str(), error.what());
+    out.refusal = message_of(error);
+    const std::string name = "technique " + out.technique;
+    const std::size_t at = out.refusal.find(name);
+    if (at != std::string::npos) out.refusal.replace(at, name.size(), "the technique");
   }
   out.wall = passed();
   return out;
@@ -174,6 +199,7 @@ int compare_command(const Request& request, const std::vector<std::string>& tech
     std::fprintf(stderr, "no picture: %s\n", error.what());
     picture.clear();
   }
+  print_refusals(outcomes);
   print_table(outcomes);
   std::printf("overlap and energy error: the largest of a step; chatter: at the end; ");
   std::printf("unphysical: a check of the run failed, see the messages above\n");

@@ -84,7 +84,7 @@ int diff_command(const std::string& first, const std::string& second) {
     std::printf("first difference at %s s, frame %zu:\n  %s\n",
                 rounded_text(one.frames[k].time, 6).c_str(), k, how->c_str());
     if (k == 0) std::printf("frame 0 is the start: these are other scenes or settings\n");
-    if (k > 0) std::printf("the %zu frames before it, the start is frame 0, are equal\n", k);
+    if (k > 0) std::printf("frames 0 (the start) to %zu are equal\n", k - 1);
     return kDiffer;
   }
   if (one.frames.size() == two.frames.size()) {

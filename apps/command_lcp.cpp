@@ -1,6 +1,7 @@
 /// \file
 /// \brief `tumble lcp`: a linear complementarity problem from files, solved.
 #include "tumble/base/error.hpp"
+#include "tumble/base/suggestion.hpp"
 #include "tumble/lcp_solvers/lcp.hpp"
 #include "tumble/record/json.hpp"
 #include "tumble/record/matrix_market.hpp"
@@ -31,7 +32,8 @@ int row_of(std::string_view text, int size) {
   int row = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), row);
   require::that(error == std::errc{} && end == text.data() + text.size() && row >= 1 && row <= size,
-                "--equalities: expected rows from 1 to " + std::to_string(size) + ", as in 2,5-7");
+                "--equalities: " + (text.empty() ? "a row is missing" : one_line(text)) +
+                    ": expected rows from 1 to " + std::to_string(size) + ", as in 2,5-7");
   return row - 1;
 }
 

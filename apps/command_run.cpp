@@ -1,6 +1,8 @@
 /// \file
 /// \brief `tumble run`: one scene, one technique, a folder of files.
 
+#include "tumble/record/recorded_run.hpp"
+
 #include "progress.hpp"
 #include "request.hpp"
 
@@ -49,9 +51,20 @@ void print_summary(const ResolvedRequest& r, const RunResult& result) {
               static_cast<long long>(result.totals.events));
   std::printf("  deepest overlap %.3g m, chatter %.3g m at the end\n", worst.deepest_overlap,
               result.last.chatter.amplitude);
-  std::printf("  worst energy error %.3g J, %.2g %% of lifting each box by its edge\n",
-              worst.energy_error, 100.0 * worst.energy_error_share);
+  std::printf(
+      "  largest energy change without a cause %.3g J, %.2g %% of lifting each box by its edge\n",
+      worst.energy_error, 100.0 * worst.energy_error_share);
   std::printf("  state hash %s, files in %s\n", result.state_hash.c_str(), r.folder.c_str());
+}
+
+// What a run writes it should be able to read again.
+void warn_of_length(const RunSettings& run, std::size_t boxes) {
+  const double rows = run.duration / run.dt / run.every * static_cast<double>(boxes);
+  if (!(rows > kMostTrajectoryRows)) return;
+  std::fprintf(stderr,
+               "note: trajectory.csv will have about %.2g rows, and at most %d can be read again: "
+               "--every N records each N-th step only\n",
+               rows, kMostTrajectoryRows);
 }
 
 // What a user may look at next.
@@ -90,6 +103,7 @@ int run_into(const Request& request, std::filesystem::path& folder) {
     TimingFile timing(files.folder(), request.run.every);
     for (const std::string& what : r.description.ignored_physics)
       std::fprintf(stderr, "note: %s ignores %s\n", r.description.technique.c_str(), what.c_str());
+    warn_of_length(request.run, r.simulation.scene().boxes.size());
     ProgressLine progress(r.description.scene + ", " + r.description.technique,
                           request.run.duration, request.quiet);
     const std::array<RunObserver*, 3> observers = {&timing, &files, &progress};
@@ -122,7 +136,11 @@ int run_into(const Request& request, std::filesystem::path& folder) {
     return kMathematical;
   }
   if (result.worst >= StepStatus::energy_gained && result.worst < StepStatus::unsolved) {
-    std::fprintf(stderr, "this run is wrong, see above: try a smaller --dt or another technique\n");
+    const Parameters& set = r.description.technique_settings;
+    const bool passes = set.has("contacts") && set.word("contacts") != "collide";
+    std::fprintf(stderr, "this run is wrong, see above: try %s\n",
+                 passes ? "a smaller --dt, or --set contacts=collide if boxes are to collide"
+                        : "a smaller --dt or another technique");
     return kMathematical;
   }
   if (result.worst != StepStatus::done) {

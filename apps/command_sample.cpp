@@ -178,15 +178,17 @@ int sample_command(const Request& request, const SampleRequest& asked) {
     watch.write();
     wall = watch.passed();
   }
-  if (stop_signal() != 0) {
+  const auto interrupted = [&] {
     if (counts_of(chains).proposals == 0)
       std::fprintf(stderr, "interrupted before the first motion: nothing was written\n");
     else
       std::fprintf(stderr, "interrupted: the chains in %s are complete; continue with --resume\n",
                    path.c_str());
     return 128 + stop_signal();  // as a shell reports a process ended by a signal
-  }
+  };
+  if (stop_signal() != 0) return interrupted();
   write_motions(folder.path(), sampler, motions_of(chains, sample.samples), request.run.every);
+  if (stop_signal() != 0) return interrupted();
   TableFile timing(folder.path() / "timing.csv", "cores,proposals,wall_s");
   timing.cell(std::int64_t{cores_of(sample)}).cell(counts_of(chains).proposals).cell(wall);
   timing.end_row();

@@ -89,7 +89,8 @@ class Levels {
     else if (!line.stable && rule_ == "equilibrium")
       line.why = loose_reason(body);
     else if (!gravity_is_down(world))
-      line.why = "gravity does not act straight down";
+      line.why = world.gravity_w.isZero(0.0) ? "there is no gravity"
+                                             : "gravity does not act straight down";
     else
       line.why = explanation(world, start_.contacts, geometric_.verdict(world, body));
     return line;

@@ -14,6 +14,22 @@ namespace {
 
 using namespace tumble::app;
 
+// Words of a command line that its sub-command does not take: an option is mistyped, or there are too many.
+std::string unexpected(const CLI::App& command) {
+  const std::vector<std::string> words = command.remaining();
+  const auto is_option = [](const std::string& word) { return word.substr(0, 2) == "--"; };
+  const auto option = std::find_if(words.begin(), words.end(), is_option);
+  if (option == words.end())
+    return "unexpected " + tumble::one_line(words.empty() ? "" : words.front()) +
+           ": expected an option, or nothing more";
+  std::vector<std::string> names;
+  for (const CLI::Option* known : command.get_options())
+    for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
+  const std::string word = option->substr(0, option->find('='));
+  return "unknown option " + tumble::one_line(word) + ": " +
+         tumble::expected_names(word, std::vector<std::string_view>(names.begin(), names.end()));
+}
+
 // One line about a command line that cannot be read. Its first word is a sub-command.
 void print_mistake(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   std::vector<std::string> names;
@@ -26,6 +42,8 @@ void print_mistake(const CLI::App& app, const CLI::ParseError& error, int argc, 
   if (argc > 1 && !known && first[0] != '-')
     message =
         "unknown command " + std::string(first) + ": " + tumble::expected_names(first, commands);
+  if (known && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    message = unexpected(*app.get_subcommand(std::string(first)));
   std::replace(message.begin(), message.end(), '\n', ' ');
   const std::string help = known ? "tumble " + std::string(first) + " --help" : "tumble --help";
   std::fprintf(stderr, "tumble: %s (more: %s)\n", message.c_str(), help.c_str());
@@ -65,6 +83,8 @@ int main(int argc, char** argv) {
       "view", "simulate a scene, or take a recorded run, and show it in the browser");
   bool page_only = false;
   add_run_options(*view, request);
+  view->get_option("scene")->description(
+      "scene, .toml file, or folder of tumble run or tumble sample");
   add_recording_options(*view, request);
   view->add_flag("--no-browser", page_only, "only write the page, do not open it");
   add_motion_option(*view, request.motion);

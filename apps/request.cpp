@@ -49,7 +49,10 @@ void apply_one(const std::string& setting, Parameters& scene, Parameters& techni
   std::vector<std::string_view> known;
   for (const Parameter& p : scene.all()) known.push_back(p.key);
   for (const Parameter& p : technique.all()) known.push_back(p.key);
-  require::that(false, "--set " + setting + ": unknown key; " + expected_names(key, known));
+  const std::string_view place =
+      scene.all().empty() ? " (those of a scene file are in the file)" : "";
+  require::that(false,
+                "--set " + setting + ": unknown key; " + expected_names(key, known).append(place));
 }
 
 // A folder for output may not hold the scene file that is read.
@@ -76,7 +79,7 @@ std::filesystem::path output_folder(const Request& request, const std::string& k
       request.out.empty() ? (fs::path("runs") / (scene + "-" + kind)).string() : request.out;
   require_not_in(first, request.scene);
   if (request.force || !fs::exists(fs::path(first) / last, none)) return first;
-  require::that(request.out.empty(), "--out " + first + " holds a finished run: give another " +
+  require::that(request.out.empty(), "--out " + first + " holds a run: give another " +
                                          "folder, or replace that run with --force");
   int number = 2;
   while (fs::exists(fs::path(first + "-" + std::to_string(number)) / last, none)) ++number;

@@ -32,7 +32,7 @@ struct Request {
   std::vector<std::string> settings;  ///< key=value, scene.key=value or technique.key=value
   RunSettings run;                    ///< step, duration, seed, every
   std::string out;                    ///< folder; empty: runs/SCENE-TECHNIQUE, or a number more
-  bool force = false;                 ///< whether a finished run in that folder is replaced
+  bool force = false;                 ///< whether a run in that folder is replaced
   bool contacts = false;              ///< whether contacts.csv is written
   std::optional<std::string> filter;  ///< as filter_of() takes it; none: no filtered trajectory
   int halvings = 0;                   ///< how often a step may be halved

@@ -141,7 +141,7 @@ void write_motions(const std::filesystem::path& folder, const SceneSampler& samp
                    const std::vector<SampledMotion>& motions, int every) {
   TableFile table(folder / "motions.csv",
                   "motion,chain,proposal,worst_status,violation,state_hash");
-  for (std::size_t k = 0; k < motions.size(); ++k) {
+  for (std::size_t k = 0; k < motions.size() && stop_signal() == 0; ++k) {
     const int number = static_cast<int>(k) + 1;
     MotionFile file(folder / motion_file(number), sampler.scene(), every);
     const std::array<RunObserver*, 1> observers = {&file};

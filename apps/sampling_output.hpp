@@ -88,7 +88,7 @@ class ChainWatch {
   Clock::time_point written_at_;
 };
 
-/// Runs each motion again from its noise, and writes its trajectory and a row of motions.csv.
+/// Runs each motion again from its noise, and writes its trajectory and a row of motions.csv. Ends early after stop_signal().
 /// \param every    steps from one frame to the next
 /// \throws CannotWrite if a file cannot be written
 void write_motions(const std::filesystem::path& folder, const SceneSampler& sampler,

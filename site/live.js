@@ -25,7 +25,8 @@ class Live {
         .forEach(one => of(one).stop()), {rootMargin: '100%', scrollMargin: '100%'});
       const seen = new IntersectionObserver(entries => entries.filter(one => one.isIntersecting)
         .forEach(one => of(one).start()), {threshold: 0.2});
-      figures.forEach(({stage}) => [near, seen].forEach(observer => observer.observe(stage)));
+      const observed = ({stage}) => [near, seen].forEach(observer => observer.observe(stage));
+      Formulas.typeset.then(() => figures.forEach(observed));  // before scenes take the time
     });
   }
 

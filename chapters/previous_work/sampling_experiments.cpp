@@ -190,7 +190,7 @@ const Registered sampling_figure{
                     number("die_strictness", 30.0, 0.01, 1000.0, "-", "of its wishes"),
                     whole("chains", 8, 1, 1000, "of the die"),
                     whole("die_drawn", 2000, 1, 1000000, "motions without a chain")},
-     .quick = {"seed=11", "motions=1", "proposals=60", "drawn=2", "chains=1", "die_drawn=20"},
+     .quick = {"seed=12", "motions=1", "proposals=60", "drawn=2", "chains=1", "die_drawn=20"},
      .experiment = measure_sampling}};
 
 }  // namespace

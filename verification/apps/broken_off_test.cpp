@@ -24,6 +24,7 @@ TEST_CASE("A run that is asked to stop says so and leaves whole lines", "[unit][
     INFO(outcome.text);
     CHECK(outcome.code == c.code);
     CHECK_THAT(outcome.text, Contains("interrupted at"));
+    CHECK_THAT(outcome.text, Contains("note: trajectory.csv will have about"));
     for (const char* name : kTables) {
       INFO(name);
       CHECK(whole_lines(folder.path / name));

@@ -102,8 +102,8 @@ TEST_CASE("Filters are listed with the form in which they are written",
           "[unit][command][filtering]") {
   const Outcome outcome = run_tumble("filters");
   CHECK(outcome.code == 0);
-  for (const char* message :
-       {"box:FRAMES[,causal]", "envelope:RADIUS,ANGLE", "soft_envelope:RADIUS", "one_euro:CUTOFF"})
+  for (const char* message : {"box[:FRAMES=5[,causal]]", "envelope:RADIUS,ANGLE",
+                              "soft_envelope:RADIUS", "one_euro:CUTOFF"})
     CHECK_THAT(outcome.text, Contains(message));
   CHECK(std::ranges::count(outcome.text, '\n') == 4);
   CHECK(run_tumble("run --help").text.find("tumble filters") != std::string::npos);

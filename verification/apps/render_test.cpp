@@ -60,7 +60,7 @@ TEST_CASE("A comparison marks what no scene can do, and what refuses the scene",
   const Outcome outcome =
       run_tumble("compare chain --techniques basic,glued --duration 0.1 --out " + joined.text());
   INFO(outcome.text);
-  CHECK_THAT(outcome.text, Contains("basic: tumble: technique basic does not support joints"));
+  CHECK_THAT(outcome.text, Contains("refused by basic: the technique does not support joints"));
   CHECK(content(joined.path / "compare.csv").find("\nbasic,refused,") != std::string::npos);
   CHECK(content(joined.path / "compare.csv").find("\nglued,complete,") != std::string::npos);
 }

@@ -75,7 +75,8 @@ TEST_CASE("Sampling that was cut off and goes on ends as if it had not been",
   const std::string scene = (folder.path / "die.toml").string();
   const auto out = [&](const char* name) { return (folder.path / name).string(); };
   write_die(folder.path / "die.toml", kSix);
-  const std::string options = scene + " --duration 1 --chains 2 --quiet --proposals 200 ";
+  const std::string options =
+      scene + " --dt 0.003 --duration 1 --chains 2 --quiet --proposals 200 ";
   CHECK(run_tumble("sample " + options + "--samples 8 --out " + out("whole")).code == 0);
   CHECK(run_tumble("sample " + options + "--samples 4 --out " + out("part")).code == 0);
   CHECK(run_tumble("sample " + options + "--samples 8 --resume --out " + out("part")).code == 0);
@@ -83,7 +84,8 @@ TEST_CASE("Sampling that was cut off and goes on ends as if it had not been",
 
   // One that is killed leaves whole tables, if any, and no summary.
   const std::string long_run =
-      scene + " --duration 1 --chains 2 --quiet --cores 1 --samples 1000 --proposals 1000000 ";
+      scene +
+      " --dt 0.003 --duration 1 --chains 2 --quiet --cores 1 --samples 1000 --proposals 1000000 ";
   shell("timeout -s KILL 1.2 " + std::string(TUMBLE_COMMAND) + " sample " + long_run + "--out " +
         out("killed"));
   REQUIRE(std::filesystem::exists(folder.path / "killed" / "chain_1.csv"));

@@ -49,7 +49,7 @@ TEST_CASE("A number has the digits and decimals asked for, as printf writes them
     CHECK(rounded_text(x, 4) == expected);
     std::snprintf(expected, sizeof expected, "%.17g", x);
     CHECK(rounded_text(x, 17) == expected);
-    std::snprintf(expected, sizeof expected, "%.2f", x);
+    std::snprintf(expected, sizeof expected, "%.2f", x + 0.0);  // without the sign of -0.0
     CHECK(fixed_text(x, 2) == expected);
   }
   const double largest = std::numeric_limits<double>::max();
@@ -96,5 +96,6 @@ TEST_CASE("A program's locale changes no number", "[unit][number_text]") {
   CHECK(shortest_text(0.5) == "0.5");
   CHECK(rounded_text(0.5, 17) == "0.5");
   CHECK(fixed_text(0.5, 2) == "0.50");
+  CHECK(fixed_text(-1e-17, 2) == "0.00");
   CHECK(parse_number("0.5") == 0.5);
 }

@@ -104,6 +104,30 @@ TEST_CASE("An impact is reported when and where the bodies meet", "[unit][contac
   CHECK((listener.events[1].point_w - Vec3(0.0, 5.0, 0.0)).norm() < 1e-9);
 }
 
+TEST_CASE("A ruler that lands on an end is hit where it is", "[unit][contact_damped]") {
+  // It turns fast then, and corners that come down in the same step lie far from the one that has been hit.
+  Scene scene{.ground = SceneGround{}};
+  scene.boxes.push_back({.name = "ruler",
+                         .size = Vec3(0.1, 0.02, 1.0),
+                         .position_w = Vec3(0.0, 0.8406736367390966, 0.0),
+                         .orientation_wb = Quat(0.05118374782106909, 0.6755596868924394,
+                                                -0.5033515249761652, 0.5363176071218877)});
+  Listener listener;
+  Simulation simulation(scene);
+  simulation.observe(listener);
+  const BodyView ruler = simulation.body("ruler");
+  for (int k = 0; k < 40; ++k) {
+    const Vec3 before_w = ruler.position_w();
+    listener.events.clear();
+    simulation.step();
+    for (const Event& event : listener.events) {
+      const double near_by =
+          std::min((event.point_w - before_w).norm(), (event.point_w - ruler.position_w()).norm());
+      CHECK(near_by < 0.5 * scene.boxes[0].size.norm() + 2e-3);
+    }
+  }
+}
+
 TEST_CASE("A box that is put onto a stack between two steps stands on it",
           "[unit][contact_damped]") {
   BOTH_POSES;

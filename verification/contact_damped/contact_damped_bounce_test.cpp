@@ -353,3 +353,25 @@ TEST_CASE("Eight elastic cubes on ice with gaps of a millimetre pass a push on o
     CHECK(std::abs(simulation.body("cube" + std::to_string(k)).velocity_w().x() -
                    (k == 8 ? 2.0 : 0.0)) < 1e-6);
 }
+
+TEST_CASE("A block of up to 96 touching cubes that falls flat bounces as one by Newton's law",
+          "[unit][contact_damped]") {
+  struct Block {
+    int x, y, z;
+  };
+  for (const Block& b : {Block{3, 5, 3}, Block{3, 6, 3}, Block{4, 4, 4}, Block{4, 6, 4}})
+    for (const double restitution : {0.2, 0.5, 1.0}) {
+      CAPTURE(b.x, b.y, b.z, restitution);
+      Scene scene{.ground = SceneGround{0.5, restitution}};
+      for (int i = 0; i < b.x; ++i)
+        for (int j = 0; j < b.y; ++j)
+          for (int k = 0; k < b.z; ++k)
+            scene.boxes.push_back({.position_w = Vec3(i, j + 0.5, k),
+                                   .velocity_w = Vec3(0.0, -3.0, 0.0),
+                                   .restitution = restitution});
+      Simulation simulation(scene);
+      simulation.step();
+      for (const SceneBox& box : simulation.scene().boxes)
+        CHECK(simulation.body(box.name).velocity_w().y() == near(3.0 * restitution, 0.01));
+    }
+}

@@ -86,12 +86,13 @@ double deepest_in_clump(const char* per_edge, unsigned seed,
 
 }  // namespace
 
-TEST_CASE("Cubes that fall together overlap by less than 3 % of an edge on average",
+TEST_CASE("Cubes that fall together overlap by less than 1.5 % of an edge on average",
           "[unit][contact_damped]") {
-  // With a single point where edges cross it was 16 %, with the direct solver for all of them 4 %.
+  // With a single point where edges cross it was 16 %, with the direct solver for all of them 4 %, and without the points that
+  // impulses bring into reach 2 %.
   double sum = 0.0;
   for (const unsigned seed : {1U, 2U, 3U, 4U}) sum += deepest_in_clump("5", seed, {});
-  CHECK(sum / 4.0 < 0.03);
+  CHECK(sum / 4.0 < 0.015);
 }
 
 TEST_CASE("A heap in motion costs no more than its budget", "[unit][contact_damped]") {
@@ -111,6 +112,32 @@ TEST_CASE("A heap in motion costs no more than its budget", "[unit][contact_damp
   // Many small islands in the air are one heap to the budget.
   CHECK(most("10", 45, &StepReport::iterations, "budget=50000") <
         most("10", 45, &StepReport::iterations, "budget=1000000000") / 2);
+}
+
+TEST_CASE("Twenty sticks that tumble over each other cost no more than the budget of a step",
+          "[unit][contact_damped]") {
+  // Sticks turn far in a step, so that it has many parts, each with small islands that are solved to the end.
+  const auto most = [](const char* budget) {
+    Random random(1);
+    Scene scene{.ground = SceneGround{}};
+    for (int k = 0; k < 20; ++k) {
+      // One by one: compilers evaluate arguments in different orders.
+      const double x = random.uniform(-0.2, 0.2);
+      const double z = random.uniform(-0.2, 0.2);
+      const double turn = random.uniform(0.0, 3.0);
+      scene.boxes.push_back({.name = "stick" + std::to_string(k),
+                             .size = Vec3(1.0, 0.03, 0.03),
+                             .mass = 0.3,
+                             .position_w = Vec3(x, 0.3 + 0.3 * k, z),
+                             .orientation_wb = rotation_from_vector(Vec3(0.0, turn, 0.1)),
+                             .friction = 0.4});
+    }
+    Simulation simulation(scene, "contact_damped", {budget});
+    std::int64_t count = 0;
+    for (int k = 0; k < 60; ++k) count = std::max(count, simulation.step(1.0 / 30.0).iterations);
+    return count;
+  };
+  CHECK(most("budget=50000") < most("budget=1000000000") / 4);
 }
 
 TEST_CASE("Steps in parts keep cubes that fall together from overlapping deep",

@@ -124,3 +124,73 @@ TEST_CASE("A box slides under a ceiling with little room", "[unit][contact_dampe
           near(6.0 * time - 0.5 * slowed * time * time, 0.6 * slowed * dt));
   }
 }
+
+TEST_CASE(
+    "A slider whose front edge ends a step just at a seam slides on, along a floor and a wall",
+    "[unit][contact_damped]") {
+  // There its edge lies on that of the next tile, and between the two faces no normal is right.
+  for (const double tile : {0.25, 0.3, 0.5, 2.0})
+    for (const double length : {0.5, 0.8, 1.0})
+      for (const double speed : {6.0, 12.0, 18.0, 20.0})
+        for (const double aside : {0.0, 3.0})
+          for (const double uneven : {0.0, 1e-5}) {
+            CAPTURE(tile, length, speed, aside, uneven);
+            Scene scene{.gravity_w = Vec3(aside, -9.81, 0.0)};
+            for (int k = 0; k * tile < 0.7 * speed + 3.0; ++k) {
+              scene.boxes.push_back({.name = "floor" + std::to_string(k),
+                                     .size = Vec3(6.0, 1.0, tile),
+                                     .fixed = true,
+                                     .position_w = Vec3(0.0, -0.5 - uneven * (k % 3), k * tile),
+                                     .friction = 0.0});
+              scene.boxes.push_back({.name = "wall" + std::to_string(k),
+                                     .size = Vec3(1.0, 6.0, tile),
+                                     .fixed = true,
+                                     .position_w = Vec3(1.0, 3.0, (k + 0.37) * tile),
+                                     .friction = 0.0});
+            }
+            const double start = 1.0 + 0.5 * (tile - length);
+            scene.boxes.push_back({.name = "slider",
+                                   .size = Vec3(1.0, 0.6, length),
+                                   .mass = 2.0,
+                                   .position_w = Vec3(0.0, 0.3, start),
+                                   .velocity_w = Vec3(0.0, 0.0, speed),
+                                   .friction = 0.0});
+            Simulation simulation(scene);
+            simulation.run_for(0.6, 1.0 / 30.0);
+            const Vec3 end_w(0.0, 0.3, start + 0.6 * speed);
+            CHECK((simulation.body("slider").position_w() - end_w).norm() < 1e-5 + 50.0 * uneven);
+          }
+}
+
+TEST_CASE("A box that spins on flush tiles without friction spins on where it is",
+          "[unit][contact_damped]") {
+  // Its corners go over seams, and it would trip over the sides of tiles that it leaves, or lands on.
+  for (const double tile : {0.25, 0.5})
+    for (const double edge : {0.5, 1.0})
+      for (const double spin : {6.0, 15.0})
+        for (const double height : {0.0, 0.05})
+          for (const double dt : {1.0 / 60.0, 1.0 / 240.0}) {
+            CAPTURE(tile, edge, spin, height, dt);
+            Scene scene;
+            for (int i = 0; i * tile < 3.0; ++i)
+              for (int k = 0; k * tile < 3.0; ++k)
+                scene.boxes.push_back({.name = "tile" + std::to_string(i) + "_" + std::to_string(k),
+                                       .size = Vec3(tile, 0.2, tile),
+                                       .fixed = true,
+                                       .position_w = Vec3((i + 0.5) * tile, -0.1, (k + 0.5) * tile),
+                                       .friction = 0.0});
+            const Vec3 middle_w(1.0 + 0.5 * edge, 0.2, 1.0 + 0.5 * edge);
+            scene.boxes.push_back({.name = "box",
+                                   .size = Vec3(edge, 0.4, edge),
+                                   .mass = 2.0,
+                                   .position_w = middle_w + height * Vec3::UnitY(),
+                                   .orientation_wb = rotation_from_vector(Vec3(0.0, 0.3, 0.0)),
+                                   .angular_velocity_w = Vec3(0.0, spin, 0.0),
+                                   .friction = 0.0});
+            Simulation simulation(scene);
+            simulation.run_for(1.0, dt);
+            const BodyView box = simulation.body("box");
+            CHECK((box.position_w() - middle_w).norm() < 5e-3);
+            CHECK(std::abs(box.angular_velocity_w().y() - spin) < 1e-3 * spin);
+          }
+}

@@ -177,6 +177,40 @@ TEST_CASE("A stack on a sled moves along with it, the upper box too", "[exact][c
   }
 }
 
+TEST_CASE("A heavy crate drags a light plank along, and does not throw it ahead",
+          "[exact][contact_damped]") {
+  // Friction of the crate would stop the slide within a step, and more than turn it around if it was not bounded.
+  for (const double mass : {20.0, 50.0, 100.0, 1000.0})
+    for (const double friction : {0.1, 0.5})
+      for (const double height : {0.0, 0.02})  // [m] that the crate falls
+        for (const double dt : {1.0 / 30.0, kFrame, 1.0 / 240.0}) {
+          CAPTURE(mass, friction, height, dt);
+          Scene scene{.ground = SceneGround{0.0, 0.0}};
+          scene.boxes.push_back({.name = "plank",
+                                 .size = Vec3(4.0, 0.05, 1.0),
+                                 .position_w = Vec3(1.0, 0.025, 0.0),
+                                 .friction = friction});
+          scene.boxes.push_back({.name = "crate",
+                                 .size = Vec3::Constant(0.5),
+                                 .mass = mass,
+                                 .position_w = Vec3(0.0, 0.3 + height, 0.0),
+                                 .velocity_w = Vec3(1.0, 0.0, 0.0),
+                                 .friction = friction});
+          Simulation simulation(scene);
+          const auto speed = [&](const char* name) {
+            return simulation.body(name).velocity_w().x();
+          };
+          double ahead = 0.0;  // [m/s] by how much the plank was faster, at most
+          for (double time = 0.0; time < 0.5; time += dt) {
+            simulation.step(dt);
+            ahead = std::max(ahead, speed("plank") - speed("crate"));
+          }
+          CHECK(ahead < 1e-4);
+          const double common = mass / (1.0 + mass);
+          for (const char* name : {"plank", "crate"}) CHECK(speed(name) == near(common, 1e-6));
+        }
+}
+
 // --- bounces -------------------------------------------------------------------------------------
 
 TEST_CASE("A cube with restitution a half rises to a quarter of its height after each bounce",

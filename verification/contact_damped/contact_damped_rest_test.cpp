@@ -60,44 +60,57 @@ TEST_CASE("Loose tiles of unlike masses come to rest after a sled has crossed th
   }
 }
 
-TEST_CASE("A deck of cards stands whose cards are thinner than what gravity moves in a step",
-          "[unit][contact_damped]") {
+TEST_CASE(
+    "A deck of cards stands whose cards are thinner than what gravity moves in a step, under a "
+    "weight as well",
+    "[unit][contact_damped]") {
   // Two sweeps throw cards at rest about by half of their thickness: Newton steps have to follow all the same.
-  Scene scene{.ground = SceneGround{}};
-  const Vec3 size(0.09, 0.0003, 0.06);
-  for (int k = 0; k < 52; ++k)
-    scene.boxes.push_back({.name = "card" + std::to_string(k),
-                           .size = size,
-                           .mass = 0.002,
-                           .position_w = Vec3(0.0, (k + 0.5) * size.y(), 0.0)});
-  Simulation simulation(scene);
-  CHECK(simulation.run_for(3.0) == StepStatus::done);
-  for (int k = 0; k < 52; ++k)
-    CHECK(
-        (simulation.body("card" + std::to_string(k)).position_w() - scene.boxes[idx(k)].position_w)
-            .norm() < 1e-6);
+  struct Case {
+    int cards;
+    double thickness, weight;  // [m], [kg]
+    double dt;                 // [s]
+  };
+  for (const auto& [cards, thickness, weight, dt] :
+       {Case{52, 3e-4, 0.0, kFrame}, Case{20, 3e-4, 0.1, kFrame}, Case{30, 5e-4, 0.1, kFrame},
+        Case{20, 2e-3, 1.0, 1.0 / 30.0}}) {
+    CAPTURE(cards, thickness, weight, dt);
+    Scene scene{.ground = SceneGround{0.4, 0.0}};
+    for (int k = 0; k < cards; ++k)
+      scene.boxes.push_back({.name = "card" + std::to_string(k),
+                             .size = Vec3(0.09, thickness, 0.06),
+                             .mass = 0.002,
+                             .position_w = Vec3(0.0, (k + 0.5) * thickness, 0.0),
+                             .friction = 0.4});
+    if (weight > 0.0)
+      scene.boxes.push_back({.name = "weight",
+                             .size = Vec3::Constant(0.05),
+                             .mass = weight,
+                             .position_w = Vec3(0.01, cards * thickness + 0.025, 0.0),
+                             .friction = 0.4});
+    Simulation simulation(scene);
+    CHECK(simulation.run_for(3.0, dt) == StepStatus::done);
+    // A weight beside the middle lets cards creep by micrometres until all is solved.
+    const double creep = weight > 0.0 ? 1e-5 : 1e-6;
+    for (const SceneBox& box : scene.boxes)
+      CHECK((simulation.body(box.name).position_w() - box.position_w).norm() < creep);
+  }
 }
 
-TEST_CASE("Seven of eight heaps of a thousand cubes come to rest, and cost fewer sweeps then",
+TEST_CASE("Heaps of a thousand cubes come to rest, and cost fewer sweeps then",
           "[.long][unit][contact_damped]") {
-  // In the eighth bodies still creep, by a tenth of a millimetre in a second.
   constexpr int kHeaps = 8, kSteps = 60;
   std::int64_t impulses = 0;
-  int rest = 0;
   for (std::uint64_t seed = 1; seed <= kHeaps; ++seed) {
     CAPTURE(seed);
     Simulation simulation(make_scene("clump", {"per_edge=10"}, seed));
     simulation.run_for(40.0);
-    CHECK(test::fastest_of(simulation.world()) < 0.01);
-    if (test::fastest_of(simulation.world()) >= 1e-4) continue;
-    ++rest;
+    CHECK(test::fastest_of(simulation.world()) < 1e-4);
     for (int k = 0; k < kSteps; ++k) {
       const StepReport report = simulation.step();
       CHECK(report.pivots == 0);  // the direct solver was not used
       impulses += report.impulses;
     }
   }
-  CHECK(rest >= 7);
   // A sweep is an impulse in each of 2100 patches. In motion a step makes 24 of them.
-  CHECK(impulses < std::int64_t{rest} * kSteps * 16 * 2100);
+  CHECK(impulses < std::int64_t{kHeaps} * kSteps * 16 * 2100);
 }

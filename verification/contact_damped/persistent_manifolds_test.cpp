@@ -151,3 +151,28 @@ TEST_CASE(
             near(-(0.101 - tolerance::contact_slop) / kFrame, 1e-10));
   }
 }
+
+TEST_CASE("A patch gets the points that impulses bring into reach", "[unit][contact_damped]") {
+  // A cube that stands on an edge, turned by 2 degrees, is set turning onto its face.
+  World world;
+  world.add_ground(0.5);
+  constexpr double kTurn = 0.035;
+  const double height = 0.5 * (std::cos(kTurn) + std::sin(kTurn));
+  world.add(box_properties(Vec3::Ones(), 1.0), Vec3(0.0, height, 0.0),
+            rotation_from_vector(Vec3(0.0, 0.0, kTurn)));
+  PersistentManifolds manifolds;
+  find(manifolds, world);
+  ContactPatch& patch = manifolds.patches().at(0);
+  REQUIRE(patch.count == 2);
+  for (ContactPatchPoint& p : patch.used()) p.impulse = 0.1;
+  std::vector<MovingBody> bodies = moving_bodies(world);
+  CHECK_FALSE(manifolds.add_points(world, bodies, kFrame, patch));
+  bodies[1].angular_velocity_w.z() = -2.0 * kTurn / kFrame;
+  CHECK(manifolds.add_points(world, bodies, kFrame, patch));
+  CHECK(patch.count == 4);
+  CHECK(impulse_of(patch)[six::normal] == near(0.2, 1e-15));
+  double nearest = 0.0;  // [m/s] the lowest target: the other edge may come down to the ground
+  for (const ContactPatchPoint& p : patch.used()) nearest = std::min(nearest, p.target);
+  CHECK(nearest == near(-std::sin(kTurn) / kFrame, 0.01));
+  CHECK_FALSE(manifolds.add_points(world, bodies, kFrame, patch));
+}

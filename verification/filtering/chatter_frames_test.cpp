@@ -120,3 +120,13 @@ TEST_CASE("A detector that knows its bodies allocates nothing", "[exact][filteri
   CHECK(allocations.value() == 0);
   CHECK(told == Motion::chatters);
 }
+
+TEST_CASE("Frames later than a double can count are not shown", "[unit][filtering]") {
+  DisplayFrames frames(60.0, 31);
+  frames.advance(0.0);
+  CHECK(frames.end() == 1);
+  frames.advance(1e20);  // its number of frames is beyond a 64-bit integer
+  CHECK(frames.end() - frames.first() == 31);
+  frames.advance(2e20);
+  CHECK(frames.first() == frames.end());
+}

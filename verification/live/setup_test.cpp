@@ -102,7 +102,7 @@ TEST_CASE("A mistake in a request is reported in a sentence that says what would
       {"scene dice\nset technique.sleeping=maybe", "sleeping = maybe: expected on or off"},
       {"scene dice\ntechnique basic\nset technique.sweeps=3", "unknown setting sweeps: expected"},
       {"scene cradle\nset scene.moving=5", "moving = 5: expected fewer than count = 5"},
-      {"toml", "scene.toml:1: box: a scene needs at least one [[box]] table"},
+      {"toml", "scene.toml:1: box: a scene needs at least one [[box]] table, in two brackets"},
       {"toml\n[[box]\n", "scene.toml:1: not TOML"},
       {"toml\n" + kBox + "frction = 1\n",
        "scene.toml:5: box[1].frction = 1: unknown key; did you mean friction?"},

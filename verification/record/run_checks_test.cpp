@@ -127,8 +127,10 @@ TEST_CASE("A box that appears inside another one is named, and how deep", "[unit
     const RunResult inside = ran(scene);
     REQUIRE(inside.findings.size() == 2);  // these ghosts also stay in each other
     CHECK(inside.findings[0] ==
-          "step 3 at 0.3 s: late appears 0.3 m deep in right, and to part them can add energy: "
-          "leave room for it, up to 0.001 m is accepted");
+          "step 3 at 0.3 s: late appears 0.3 m deep in right, and is pushed out, which can add "
+          "energy: "
+          "give it another position or another time to appear; up to 0.001 m is accepted");
+    CHECK(inside.worst == StepStatus::passed_through);
   }
   SECTION("in the ground") {
     scene.ground = SceneGround{};
@@ -137,6 +139,13 @@ TEST_CASE("A box that appears inside another one is named, and how deep", "[unit
     const RunResult sunk = ran(scene);
     REQUIRE(sunk.findings.size() == 2);
     CHECK(sunk.findings[0].find("late appears 0.3 m deep in ground") != std::string::npos);
+  }
+  SECTION("a little, which is no fault, but may add energy") {
+    scene.boxes[2].position_w.x() = 0.95;
+    scene.boxes[1].disappears = 0.35;
+    const RunResult little = ran(scene);
+    REQUIRE(little.findings.size() == 1);
+    CHECK(little.worst == StepStatus::done);
   }
   SECTION("one that touches is not, nor a fixed one in a fixed one") {
     scene.boxes[2].position_w.x() = 0.9995;

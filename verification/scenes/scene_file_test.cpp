@@ -110,7 +110,7 @@ TEST_CASE("A mistake in a scene file is reported with file, line, key, value and
       {kBox + "disappears = \"soon\"\n", {"my.toml:5: box[1].disappears", "soon", "number"}},
       {kBox + "dissappears = 2\n", {"my.toml:5: box[1].dissappears", "did you mean disappears?"}},
       {"[[box]]\nsize = [1,1,1]\nmass = 1e10\nposition = [0,1,0]\nvelocity = [0,0,1e300]\n",
-       {"my.toml:1: box[1], box1", "velocity_w = [0, 0, 1e+300]",
+       {"my.toml:5: box[1], box1", "velocity = [0, 0, 1e+300]",
         "expected at most 299792458 m/s, the speed of light: make it slower"}},
       {kBox + "fixed = true\n", {"box[1].mass", "a fixed box has none"}},
       {"[[box]]\nfixed = true\nsize=[1,1,1]\nposition=[0,1,0]\nvelocity=[1,0,0]\n",

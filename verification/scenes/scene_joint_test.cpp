@@ -121,7 +121,8 @@ TEST_CASE("Every technique but glued refuses joints by its own name, with the re
     CHECK_THROWS_WITH(run.step(),
                       "tumble: technique " + std::string(recipe.name) +
                           " does not support joints, and the scene has 2, the first called "
-                          "joint1: choose glued (--technique glued), or leave out "
+                          "joint1: choose glued (--technique glued --set contacts=collide, so that "
+                          "boxes collide), or leave out "
                           "[[joint]]");
     CHECK(run.world().steps() == 0);
   }

@@ -46,7 +46,9 @@ std::string rounded_text(double value, int digits) {
 }
 
 std::string fixed_text(double value, int decimals) {
-  return text_of(value, std::chars_format::fixed, decimals);
+  std::string text = text_of(value, std::chars_format::fixed, decimals);
+  if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') text.erase(0, 1);
+  return text;
 }
 
 }  // namespace tumble

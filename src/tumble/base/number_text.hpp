@@ -29,7 +29,7 @@ std::string shortest_text(double value);
 /// \return for example `0.333`, `nan`, `-inf`
 std::string rounded_text(double value, int digits);
 
-/// A text with so many decimals as printf's `%.{decimals}f` has.
+/// A text with so many decimals as printf's `%.{decimals}f` has, but without the sign of a zero.
 /// \param decimals  0 to 17
 /// \return for example `0.50`, `nan`, `-inf`
 std::string fixed_text(double value, int decimals);

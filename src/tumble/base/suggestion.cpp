@@ -75,8 +75,7 @@ bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U
 
 }  // namespace
 
-std::string one_line(std::string_view text) {
-  constexpr std::size_t most = 60;
+std::string one_line(std::string_view text, std::size_t most) {
   std::string out(text.substr(0, most));
   if (text.size() > most) {
     std::size_t end = most;

@@ -2,6 +2,7 @@
 /// \brief Words of others in messages: mistyped names and their closest known one, and foreign texts.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,7 +24,8 @@ std::string expected_names(std::string_view word, std::span<const std::string_vi
 
 /// A foreign text for a message: nothing in it reaches a terminal as a command.
 /// \param text  any bytes
-/// \return one line of at most 60 bytes without control characters, and three dots if it was longer
-std::string one_line(std::string_view text);
+/// \param most  [bytes] of the text
+/// \return one line without control characters, and three dots if the text was longer
+std::string one_line(std::string_view text, std::size_t most = 60);
 
 }  // namespace tumble

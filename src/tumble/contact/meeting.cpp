@@ -8,6 +8,7 @@
 #include "tumble/math/rotation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace tumble {
@@ -67,6 +68,21 @@ bool pass_each_other(const MovingBox& first, const MovingBox& second, double slo
   return false;
 }
 
+// Edges that lie on each other: beside two faces of the first box the boxes do not overlap by more than a height.
+MeetingFound graze_beside_two_faces(const Box& first, const Box& second, double height) {
+  MeetingFound met;
+  std::size_t count = 0;
+  for (int k = 0; k < 3 && count < 2; ++k) {
+    const Vec3 axis_w = first.axes_w.col(k);
+    const double apart = std::abs(axis_w.dot(second.center_w - first.center_w));
+    if (apart - reach(first, axis_w) - reach(second, axis_w) > -height)
+      met.flat_w[count++] = axis_w;
+  }
+  if (count < 2) return {};
+  met.meeting = Meeting::graze;
+  return met;
+}
+
 }  // namespace
 
 MeetingFound find_meeting(const World& world, const IndexPair& pair, const Manifold& found,
@@ -90,21 +106,28 @@ MeetingFound find_meeting(const World& world, const IndexPair& pair, const Manif
   if (bodies[idx(pair.second)].inverse_mass.x() != 0.0) second.velocity_w -= gained_w;
   pass = pass && pass_each_other(first, second, touching, dt);
   if (pass) return {Meeting::pass};
+  if (gap <= height && found.axis >= 6) {
+    const MeetingFound edges = graze_beside_two_faces(first.box, second.box, height);
+    if (edges.meeting == Meeting::graze) return edges;
+  }
   const Separation straight = closed_along(first.box, second.box, found.normal_w, gap, size);
   if (straight.distance < -height) return {};
-  if (gap <= touching)
-    return straight.distance < height ? MeetingFound{Meeting::graze, straight.normal_w}
-                                      : MeetingFound{};
-  // When they meet along the normal, and at the end of the step.
+  // It has no height if something holds the bodies where they are.
+  const MeetingFound met = straight.distance < height
+                               ? MeetingFound{Meeting::graze, {straight.normal_w, Vec3::Zero()}}
+                               : MeetingFound{};
+  if (gap <= touching) return met;
+  // When they meet along the normal, and at the end of the step. Where they meet later other contacts close the gap.
   const double speed = -found.normal_w.dot(second.velocity_w - first.velocity_w);
-  const double meets = speed > 0.0 ? gap / speed : dt;
-  const auto overlap_after = [&](double time) {
-    Box other = second.turned(std::min(time, dt));
+  const double meets = speed > 0.0 ? std::min(gap / speed, dt) : dt;
+  const double left = speed > 0.0 ? gap - meets * speed : 0.0;
+  const auto overlap_after = [&](double time, double closed) {
+    Box other = second.turned(time);
     other.center_w += time * (second.velocity_w - first.velocity_w) -
-                      tolerance::flush_overlap * size * found.normal_w;
-    return separation(first.turned(std::min(time, dt)), other).distance < -height;
+                      (closed + tolerance::flush_overlap * size) * found.normal_w;
+    return separation(first.turned(time), other).distance < -height;
   };
-  if (overlap_after(meets) || (meets < dt && overlap_after(dt))) return {};
+  if (overlap_after(meets, left) || (meets < dt && overlap_after(dt, 0.0))) return met;
   return {Meeting::pass};
 }
 

@@ -7,6 +7,7 @@
 #include "tumble/geometry/broad_phase.hpp"
 #include "tumble/geometry/manifold.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -19,10 +20,12 @@ enum class Meeting : std::uint8_t {
   pass      ///< no contact within the step
 };
 
-/// A meeting, and for one that grazes the direction across the normal in which it has no height.
+/// A meeting, and for one that grazes the direction across the normal in which it has no height: two where an edge touches an edge
+/// beside it.
 struct MeetingFound {
   Meeting meeting = Meeting::overlap;  ///< what happens
-  Vec3 flat_w = Vec3::Zero();          ///< [-] world frame, length 1 if it grazes; else 0
+  /// [-] world frame, length 1 if it grazes; else 0
+  std::array<Vec3, 2> flat_w = {Vec3::Zero(), Vec3::Zero()};
 };
 
 /// Finds whether two boxes that have a manifold will overlap when they have met along its normal.
@@ -32,6 +35,9 @@ struct MeetingFound {
 /// `tolerance::flush_height` along any axis, the contact has no height. How far they slide across the normal until
 /// they meet depends on other contacts; so such a pair is dropped only if it misses also with
 /// the motion it had before the step, when they meet and at the end of the step.
+///
+/// Two edges that lie on each other side by side overlap in the direction of neither face: which face they meet is known only from
+/// what else holds the bodies.
 ///
 /// A pair with height is dropped if its motion by itself would close the gap along the normal, and yet leads the boxes past each
 /// other, with the velocities of the step and those before it: a body that flies past an edge. Where other contacts change the

@@ -6,6 +6,7 @@
 #include "tumble/contact_damped/bounce_order.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/patch_pressure.hpp"
 #include "tumble/contact_patches/patch_solver.hpp"
 #include "tumble/contact_patches/point_friction.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
@@ -16,7 +17,7 @@
 namespace tumble {
 namespace {
 
-// [-] Sweeps over an island after restitution, at most. Reason: a bounce does not spread through a stack. (4.3)
+// [-] Sweeps over an island after restitution, at most. Reason: most bounces are over then; others are solved at once. (4.3)
 constexpr int kBounceSweeps = 10;
 // [-] The same over a small island. Reason: a row of twenty bodies parts by Newton's law at all points at once. (4.3)
 constexpr int kSmallBounceSweeps = 100;
@@ -110,7 +111,7 @@ void ContactDamped::bounce(World& world, double dt, StepReport& report) {
     }
     ask_for_separation(island, storage_.step);
     if (!sweep_bounce(island, report) &&
-        !normal_exceeds_budget(island, effort(), memory_.island_solver))
+        !memory_.island_solver.costs_more_than(tolerance::quiet_factor_work, island))
       solve_bounce(island, memory_.island_solver, storage_.held, report);
     limit_bounce(island, velocities_.before_bounce, storage_.impulses_before_bounce, report);
   }
@@ -149,8 +150,8 @@ void ContactDamped::store_bounced_velocities(World& world) {
   }
 }
 
-// The bodies meet when the first of the points that were hit has closed its gap: halfway, and beside that where the
-// lighter one has come.
+// The bodies meet when the first of the points that were hit has closed its gap, at their centre of pressure: halfway, and beside
+// that where the lighter one has come.
 void ContactDamped::notify_observer(const ContactPatch& patch, double dt) const {
   double until = dt;
   for (const ContactPatchPoint& p : patch.used())
@@ -163,7 +164,9 @@ void ContactDamped::notify_observer(const ContactPatch& patch, double dt) const 
   event.first = patch.first_id;
   event.second = patch.second_id;
   event.normal_w = patch.frame_w.col(2);
-  const Vec3 middle_w = first.position_w + patch.first_arm_w;
+  const PatchPressure pressure = pressure_of(patch);
+  const Vec3 middle_w =
+      position_of(patch, first, {.along = pressure.along, .across = pressure.across});
   const Vec3 first_w = velocity_at(first, middle_w), second_w = velocity_at(second, middle_w);
   const double share = first.inverse_mass.x() / (first.inverse_mass.x() + second.inverse_mass.x());
   const Vec3 lighter_w = share * first_w + (1.0 - share) * second_w;

@@ -112,7 +112,7 @@ double ContactDamped::step_part(World& world, double dt, int k, StepReport& repo
   // 3. Impulses that stop all approach, and sliding as far as friction can.
   solve(world, dt, report);
   // Where bodies of a small island sink into each other all the same, as they turn, in half of the time.
-  const auto may_divide = [&] { return k < kMostBounces && storage_.work < 2 * options_.budget; };
+  const auto may_divide = [&] { return k < kMostBounces && !costs_too_much(); };
   for (int n = 0; n < kMostHalvings && storage_.small_sinks && may_divide(); ++n) {
     shorten(dt, 0.5 * dt, world);
     dt *= 0.5;
@@ -235,8 +235,9 @@ void ContactDamped::find_patches(World& world, double dt, StepReport& report) {
   memory_.order.update(world, manifolds.patches(), storage_.touching);
 }
 
-// Whether small islands that move are too many to solve each as well as if it was by itself.
+// Whether small islands that move are too many to solve each as well as if it was by itself, or have cost too much in this step.
 bool ContactDamped::is_crowded(const World& world, double dt) {
+  if (costs_too_much()) return true;
   const auto all = static_cast<std::int64_t>(memory_.manifolds.patches().size());
   if (!are_too_many(all, effort())) return false;
   std::int64_t moving = 0;

@@ -27,6 +27,7 @@
 #include "tumble/contact_damped/island_order.hpp"
 #include "tumble/contact_damped/island_plan.hpp"
 #include "tumble/contact_damped/island_solver.hpp"
+#include "tumble/contact_damped/kept_solution.hpp"
 #include "tumble/contact_patches/patch_solver.hpp"
 #include "tumble/contact_patches/persistent_manifolds.hpp"
 #include "tumble/dynamics/advance_pose.hpp"
@@ -167,6 +168,7 @@ class ContactDamped : public Technique {
         impulses_before_bounce;                  // by patch: impulses before something bounced
     KeptSolution kept;                           // of an island, while raised targets are tried
     KeptSolution kept_swept;                     // ditto, while a solver is tried
+    KeptSolution kept_block;                     // of a block, ditto
     IslandBlock block;                           // what sweeps leave of one
     std::vector<MovingBody> held;                // velocities with friction alone
     PivotUpdate pivots;                          // bodies that are moved together
@@ -196,6 +198,10 @@ class ContactDamped : public Technique {
   void solve_turning(const World& world, double dt, StepReport& report);
   Island view_of_island(const World& world, int k, double dt);
   [[nodiscard]] IslandEffort effort() const;
+  // Whether the step so far has cost twice its budget: it ends as cheaply as it can.
+  [[nodiscard]] bool costs_too_much() const {
+    return storage_.work >= 2 * std::int64_t{options_.budget};
+  }
   [[nodiscard]] bool is_crowded(const World& world, double dt);
   void solve_island(const Island& island, StepReport& report);
   IslandOutcome run_plan(const Island& island, const IslandPlan& plan, const FirstSweeps& first,

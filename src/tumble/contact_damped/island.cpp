@@ -69,21 +69,28 @@ bool moves_both_times(const Island& island, const ContactPatch& patch) {
 // [-] Bodies that few are, at most. Reason: a slider, and two that it pushes. (6.3.1)
 constexpr std::size_t kFewBodies = 3;
 
-// Whether all patches that move are of some bodies, or of few others besides.
-bool only_few_move(const Island& island, std::array<int, kFewBodies> bodies, std::size_t count) {
+bool is_between_movable(const Island& island, const ContactPatch& patch) {
+  return island.now[idx(patch.first)].inverse_mass.x() > 0.0 &&
+         island.now[idx(patch.second)].inverse_mass.x() > 0.0;
+}
+
+// Whether all patches that move are of some bodies, or of few others besides. Those with immovable bodies count in an impact only.
+bool only_few_move(const Island& island, bool impact, std::array<int, kFewBodies> bodies,
+                   std::size_t count) {
   for (const int contact : island.patch_indices) {
     const ContactPatch& patch = island.all_patches[idx(contact)];
     const std::span known(bodies.data(), count);
     if (std::any_of(known.begin(), known.end(),
                     [&](int k) { return k == patch.first || k == patch.second; }) ||
-        !moves_both_times(island, patch))
+        !(impact || is_between_movable(island, patch)) || !moves_both_times(island, patch))
       continue;
     if (count == kFewBodies) return false;
     // Then one of its two is one of the few.
     const std::array pair{patch.first, patch.second};
     return std::any_of(pair.begin(), pair.end(), [&](int k) {
       bodies[count] = k;
-      return island.now[idx(k)].inverse_mass.x() > 0.0 && only_few_move(island, bodies, count + 1);
+      return island.now[idx(k)].inverse_mass.x() > 0.0 &&
+             only_few_move(island, impact, bodies, count + 1);
     });
   }
   return true;
@@ -123,17 +130,21 @@ double negligible_residual(const Island& island) {
 SpeedRange speed_range(const Island& island) {
   double before = 0.0, now = 0.0;
   int moving = 0;  // patches
+  const bool impact = has_impact(island);
+  bool as_one = !impact;
   for (const int contact : island.patch_indices) {
     const ContactPatch& patch = island.all_patches[idx(contact)];
     const double had = scaled_speed(island, patch, island.start);
     const double has = scaled_speed(island, patch, island.now);
     before = std::max(before, had);
     now = std::max(now, has);
-    if (had > tolerance::moving_speed && has > tolerance::moving_speed) ++moving;
+    if (!(had > tolerance::moving_speed && has > tolerance::moving_speed)) continue;
+    ++moving;
+    as_one = as_one && !is_between_movable(island, patch);
   }
   return {std::min(before, now), std::max(before, now),
           static_cast<double>(moving) / static_cast<double>(island.patch_indices.size()),
-          moving == 0 || only_few_move(island, {}, 0)};
+          as_one || only_few_move(island, impact, {}, 0), as_one};
 }
 
 bool hardly_moves(const Island& island) {
@@ -202,6 +213,12 @@ bool has_impact(const Island& island) {
   });
 }
 
+bool is_after_impact(const Island& island) {
+  return std::any_of(island.patch_indices.begin(), island.patch_indices.end(), [&](int contact) {
+    return island.all_patches[idx(contact)].steps_since_impact <= tolerance::steps_after_impact;
+  });
+}
+
 void note_approach(const Island& island) {
   for (const int contact : island.patch_indices)
     note_approach_of(island, island.all_patches[idx(contact)]);
@@ -216,15 +233,17 @@ void warm_start(const Island& island) {
 }
 
 double sweep(const Island& island, SweepOrder order, int patch_iterations, double residual,
-             StepReport& report) {
+             StepReport& report, std::span<double> changes) {
   // [S6.3.1:sweep]
   double most = 0.0;
   const std::size_t count = island.upward.size();
   for (std::size_t k = 0; k < count; ++k) {
     const int contact = island.upward[order == SweepOrder::down ? count - 1 - k : k];
     ContactPatch& patch = island.all_patches[idx(contact)];
-    most = std::max(most, solve_patch(patch, island.now[idx(patch.first)],
-                                      island.now[idx(patch.second)], patch_iterations, residual));
+    const double change = solve_patch(patch, island.now[idx(patch.first)],
+                                      island.now[idx(patch.second)], patch_iterations, residual);
+    if (!changes.empty()) changes[idx(contact)] = change;
+    most = std::max(most, change);
   }
   // [S6.3.1:sweep]
   ++report.iterations;
@@ -251,42 +270,6 @@ void discard_impulses(const Island& island) {
     }
   }
   for (const int k : island.bodies) island.now[idx(k)] = island.free[idx(k)];
-}
-
-void KeptSolution::keep(const Island& island, std::span<const char> in_flight) {
-  patches_.clear();
-  velocities_.clear();
-  in_flight_.clear();
-  for (const int contact : island.patch_indices) {
-    const ContactPatch& patch = island.all_patches[idx(contact)];
-    KeptPatch& kept = patches_.emplace_back(
-        KeptPatch{impulses_in(patch), {}, {}, patch.targets_planar, patch.solved_directly});
-    for (int i = 0; i < patch.count; ++i) {
-      kept.targets[idx(i)] = patch.points[idx(i)].target;
-      kept.solver_impulses[idx(i)] = patch.points[idx(i)].solver_impulse;
-    }
-  }
-  for (const int body : island.bodies) {
-    velocities_.push_back(island.now[idx(body)]);
-    if (!in_flight.empty()) in_flight_.push_back(in_flight[idx(body)]);
-  }
-}
-
-void KeptSolution::restore(const Island& island, std::span<char> in_flight) const {
-  for (std::size_t i = 0; i < patches_.size(); ++i) {
-    ContactPatch& patch = island.all_patches[idx(island.patch_indices[i])];
-    go_back(patches_[i].impulses, 0.0, patch);
-    patch.targets_planar = patches_[i].targets_planar;
-    patch.solved_directly = patches_[i].solved_directly;
-    for (int k = 0; k < patch.count; ++k) {
-      patch.points[idx(k)].target = patches_[i].targets[idx(k)];
-      patch.points[idx(k)].solver_impulse = patches_[i].solver_impulses[idx(k)];
-    }
-  }
-  for (std::size_t i = 0; i < velocities_.size(); ++i) {
-    island.now[idx(island.bodies[i])] = velocities_[i];
-    if (!in_flight.empty()) in_flight[idx(island.bodies[i])] = in_flight_[i];
-  }
 }
 
 }  // namespace tumble

@@ -55,9 +55,11 @@ struct SpeedRange {
   double higher = 0.0;  ///< [-] ditto
   double moving =
       0.0;  ///< [-] share of the patches that are faster than tolerance::moving_speed both times
-  /// No patch moves, or all that move belong to few bodies: one that slides over others moves, they do not, however many it
-  /// touches.
+  /// No patch moves, or all that do belong to few bodies: one that slides over others moves, they do not, however many it
+  /// touches. Where nothing is hit, patches with immovable bodies do not count.
   bool few = false;
+  /// Nothing is hit, and no patch between movable bodies moves: all rest, or slide together.
+  bool as_one = false;
 };
 
 /// How fast an island moves.
@@ -92,9 +94,10 @@ enum class SweepOrder : std::uint8_t {
 /// One Gauss-Seidel sweep: solve_patch() for all patches of an island.
 /// \param patch_iterations  of friction and pressure in turn within a patch; 0: only what sticks is solved
 /// \param residual          [m/s] at which a patch is skipped, see solve_patch()
+/// \param changes           [m/s] in and out, by contact: what solve_patch() returns; empty: not asked for
 /// \return [m/s] the largest change of a velocity, or error of a patch that was left, see solve_patch()
 double sweep(const Island& island, SweepOrder order, int patch_iterations, double residual,
-             StepReport& report);
+             StepReport& report, std::span<double> changes = {});
 
 /// The largest error of the patches whose bodies do not move fast along each other. However fast others move, bodies
 /// that carry something must go on carrying it.
@@ -139,28 +142,8 @@ void discard_impulses(const Island& island);
 /// \param island  after note_approach()
 [[nodiscard]] bool has_impact(const Island& island);
 
-/// The impulses, velocities and targets of an island, kept so that another solution can be tried.
-class KeptSolution {
- public:
-  /// Keeps those of now.
-  /// \param in_flight  by body index: whether a body flies its parabola; empty before that is decided
-  void keep(const Island& island, std::span<const char> in_flight = {});
-  /// Goes back to them.
-  /// \param in_flight  as in keep()
-  void restore(const Island& island, std::span<char> in_flight = {}) const;
-
- private:
-  struct KeptPatch {
-    PatchImpulses impulses;
-    std::array<double, Manifold::kMostPoints> targets;
-    std::array<Vec3, Manifold::kMostPoints> solver_impulses;
-    bool targets_planar;
-    bool solved_directly;
-  };
-  std::vector<KeptPatch> patches_;
-  std::vector<MovingBody> velocities_;  // by its bodies
-  std::vector<char> in_flight_;         // ditto
-};
+/// Whether it had one in one of the last steps: tolerance::steps_after_impact.
+[[nodiscard]] bool is_after_impact(const Island& island);
 
 /// Energy guard: impulses that are not quite solved could raise the kinetic energy, and are scaled back to where
 /// they do not. The energy is a parabola in the scale, and at 0 it is that of `free`.

@@ -9,27 +9,27 @@
 
 namespace tumble {
 
-/// Finds the bodies of a large island that sweeps still change, so that their patches can be solved together.
+/// Finds the bodies of a large island whose patches sweeps still change, so that these can be solved together.
 ///
 /// In a pile that comes to rest sweeps settle most bodies, but not a tower in it that sways. Its patches are a block of
 /// Gauss-Seidel like the patches of sweeps, only larger: the impulses of all other patches are held meanwhile.
 class IslandBlock {
  public:
-  /// Keeps the velocities of an island, from which a sweep begins.
-  void start(const Island& island);
+  /// \return where a sweep over the island is to note its changes, for find()
+  std::span<double> changes(const Island& island);
 
-  /// Finds all patches of the few bodies that have changed most.
+  /// Finds all patches of the few bodies whose patches have changed most.
   /// \return these patches and all their bodies; `free` are velocities without the impulses of these patches. It is empty if no
-  ///         body has changed much, and valid until the next call
+  ///         patch has changed much, and valid until the next call
   Island find(const Island& island);
 
  private:
   void choose(const Island& island);
 
-  std::vector<MovingBody> before_;  // by the island's bodies: velocities at the start of the sweep
+  std::vector<double> changes_;  // [m/s] by contact, in the last sweep
   // Of the block.
-  std::vector<std::pair<double, int>> changes_;  // [m/s] of bodies, with their indices
-  std::vector<char> chosen_;                     // by body index
+  std::vector<std::pair<double, int>> most_;  // [m/s] of bodies, with their indices
+  std::vector<char> chosen_;                  // by body index
   std::vector<int> bodies_;
   std::vector<int> patches_;
   std::vector<int> upward_;

@@ -128,6 +128,17 @@ double IslandSolver::slope(double share) const {
   return sum;
 }
 
+// The shifts of the present sliding. ADMM does without those of points that slide fast.
+void IslandSolver::start_shifts(std::span<const ContactPatch> patches) {
+  for (const Constraint& constraint : constraints_) {
+    const Six motion = motion_now(constraint, patches[idx(constraint.patch)]);
+    for (int i = constraint.begin; i < constraint.end; ++i) {
+      Point& p = points_[idx(i)];
+      p.shift = p.friction * velocity_at(p.along, p.across, motion).head<2>().norm();
+    }
+  }
+}
+
 // Impulses become those of the springs, and shifts follow the sliding. Returns the larger one of a residual and the
 // largest change by that [m/s].
 double IslandSolver::update_impulses(double shift_tolerance, double residual) {
@@ -167,8 +178,8 @@ void IslandSolver::newton(std::span<const ContactPatch> patches, const IslandLim
   if (std::any_of(points_.begin(), points_.end(), steep)) return;
   saved_points_ = points_;
   saved_members_ = members_;
+  start_shifts(patches);
   int steps = 0;
-  int unbalanced = 0;
   double residual = result.residual;
   double best = tolerance::newton_improved * residual;
   const double balanced = tolerance::newton_balanced * limits.residual;
@@ -176,11 +187,9 @@ void IslandSolver::newton(std::span<const ContactPatch> patches, const IslandLim
   for (int update = 0; update < limits.max_shift_updates; ++update) {
     if (steps >= limits.max_newton_steps || residual < limits.residual) break;
     const double change = balance(patches, balanced, limits.max_newton_steps, steps);
-    if (change > balanced && steps < limits.max_newton_steps &&
-        ++unbalanced == tolerance::newton_gives_up)
-      break;
+    if (!(change < limits.residual)) break;
     residual = update_impulses(limits.shift_tolerance, change);
-    if (!(limits.shift_tolerance > 0.0 && change < limits.residual && residual < best)) continue;
+    if (!(limits.shift_tolerance > 0.0 && residual < best)) continue;
     best = residual;
     result.improved = true;
     saved_points_ = points_;

@@ -58,9 +58,8 @@ bool has_sliding_patch(const Island& island, double unit) {
   });
 }
 
-// The largest stiffness of springs in a small island. Where nothing determines impulses, as in wedged boxes, springs
-// leave rounding in them, enlarged by their stiffness; but that is a multiple of the mass that a point resists with, and it may
-// have to carry heavier bodies.
+// The largest stiffness of springs. Where nothing determines impulses, as in wedged boxes, it enlarges rounding; but it is a
+// multiple of the mass that a point resists with, and a point may have to carry heavier bodies.
 double stiffness_for_masses(const Island& island) {
   double lightest = std::numeric_limits<double>::infinity(), heaviest = 0.0;
   for (const int k : island.bodies) {
@@ -70,13 +69,15 @@ double stiffness_for_masses(const Island& island) {
   return std::min(tolerance::admm_stiffness * (heaviest / lightest), tolerance::admm_max_stiffness);
 }
 
-// A small island is solved to convergence.
-IslandLimits small_limits(const Island& island, int iterations) {
+// A small island, or one of which few bodies move, is solved to convergence.
+IslandLimits exact_limits(const Island& island, int iterations) {
   IslandLimits limits;
   limits.residual = tolerance::solved_residual_exact * negligible_residual(island);
   limits.max_iterations = tolerance::small_island_iterations * iterations;
   limits.max_stiffness = stiffness_for_masses(island);
   limits.max_newton_steps = tolerance::small_newton_steps;
+  if (limits.max_stiffness >= tolerance::unequal_masses * tolerance::admm_stiffness)
+    limits.more_iterations = tolerance::more_iterations * iterations;
   return limits;
 }
 
@@ -102,12 +103,6 @@ IslandLimits moving_limits(const Island& island, int iterations) {
   return limits;
 }
 
-// Whether the direct solver costs more than the budget of an island in motion.
-bool exceeds_budget(const Island& island, const IslandEffort& effort) {
-  return static_cast<std::int64_t>(island.patch_indices.size()) * effort.admm_iterations >
-         effort.budget;
-}
-
 // Whether anything in an island moves, so that its contacts change in the next step.
 bool moves(const SpeedRange& speed) {
   return speed.moving > 0.0 || speed.lower >= tolerance::fast_speed;
@@ -123,7 +118,7 @@ enum class IslandKind {
   exact,   // small, or few of its bodies move: solved to convergence
   loose,   // much of it moves, and it has to be swept
   steady,  // large, and some of it moves
-  quiet    // large, and nothing of it moves
+  quiet    // large, and nothing of it moves, or all as one
 };
 
 IslandKind kind_of(const Island& island, const SpeedRange& speed, bool swept,
@@ -131,8 +126,8 @@ IslandKind kind_of(const Island& island, const SpeedRange& speed, bool swept,
   if (swept && much_moves(island, speed)) return IslandKind::loose;
   if (is_small(island)) return IslandKind::exact;
   if (!moves(speed)) return IslandKind::quiet;
-  return speed.few && !normal_exceeds_budget(island, effort, solver) ? IslandKind::exact
-                                                                     : IslandKind::steady;
+  if (speed.few && !normal_exceeds_budget(island, effort, solver)) return IslandKind::exact;
+  return speed.as_one ? IslandKind::quiet : IslandKind::steady;
 }
 
 // Sweeps within the budget, so many at most.
@@ -141,10 +136,14 @@ int swept_within(const Island& island, const IslandEffort& effort, int most) {
   return std::clamp(within, effort.sweeps, std::max(effort.sweeps, most));
 }
 
-// Whether sweeps may replace the direct solver in a quiet island if that costs too much: it has no more levels of support than a
-// step has sweeps. In a higher one weight does not get through.
+// Whether sweeps may replace the direct solver in a quiet island if that costs too much: it has impulses to begin with, and no more
+// levels of support than a step has sweeps. Without impulses, or in a higher one, weight does not get through.
 bool sweeps_may_do(const Island& island, const IslandEffort& effort) {
+  const auto has_carried = [&](int contact) {
+    return island.all_patches[idx(contact)].carried_impulse > 0.0;
+  };
   return effort.admm_iterations > 0 &&
+         std::any_of(island.patch_indices.begin(), island.patch_indices.end(), has_carried) &&
          island.levels <= swept_within(island, effort, tolerance::loose_sweeps);
 }
 
@@ -161,9 +160,18 @@ void sweep_quiet_island(const Island& island, const IslandEffort& effort, Island
 
 }  // namespace
 
-bool has_to_be_swept(const Island& island, const SpeedRange& speed, const IslandEffort& effort) {
+bool exceeds_budget(const Island& island, const IslandEffort& effort) {
+  return static_cast<std::int64_t>(island.patch_indices.size()) * effort.admm_iterations >
+         effort.budget;
+}
+
+bool has_to_be_swept(const Island& island, const SpeedRange& speed, const IslandEffort& effort,
+                     IslandSolver& solver) {
   if (is_small(island)) return effort.crowded && much_moves(island, speed);
-  return much_moves(island, speed) || (moves(speed) && exceeds_budget(island, effort));
+  if (much_moves(island, speed)) return true;
+  // Where few bodies move the others are as quiet as in a quiet island, and all are where they slide as one.
+  return moves(speed) && !speed.as_one && exceeds_budget(island, effort) &&
+         (!speed.few || solver.costs_more_than(tolerance::quiet_factor_work, island));
 }
 
 bool normal_exceeds_budget(const Island& island, const IslandEffort& effort, IslandSolver& solver) {
@@ -216,7 +224,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
   const double negligible = negligible_residual(island);
   const double unit = unit_speed(island);
   const SpeedRange speed = speed_range(island);
-  const bool swept = has_to_be_swept(island, speed, effort);
+  const bool swept = has_to_be_swept(island, speed, effort, solver);
   const IslandKind kind = kind_of(island, speed, swept, effort, solver);
   const bool converging =
       !first.stale_warm_start && first.up < tolerance::sweeps_converging * first.down;
@@ -246,7 +254,7 @@ IslandPlan plan_island(const Island& island, const FirstSweeps& first, const Isl
     case IslandKind::exact:
       plan.max_sweeps = std::max(effort.sweeps, tolerance::small_island_sweeps);
       plan.residual = tolerance::solved_residual_exact * negligible;
-      plan.direct = small_limits(island, effort.admm_iterations);
+      plan.direct = exact_limits(island, effort.admm_iterations);
       plan.overlap = tolerance::small_island_overlap;
       break;
     case IslandKind::loose:

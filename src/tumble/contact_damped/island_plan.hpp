@@ -62,12 +62,16 @@ struct IslandPlan {
 /// \param direct_last_step    whether the direct solver was used for it in the step before
 FirstSweeps sweep_first(const Island& island, bool direct_last_step, StepReport& report);
 
+/// Whether the direct solver costs more than the budget of an island in motion: with the default, above a hundred patches.
+[[nodiscard]] bool exceeds_budget(const Island& island, const IslandEffort& effort);
+
 /// Whether sweeps have to do: much of a large island moves, so that contacts change before weight gets through all of it; or some
-/// of
-/// it moves, and the direct solver exceeds the budget; or much of a small one moves, and there are many such.
+/// of it moves, and the direct solver exceeds the budget, unless few bodies move and it costs as little as for a quiet wall; or
+/// much of a small one moves, and there are many such.
 /// \param island  with the impulses so far
+/// \param solver  as for plan_island()
 [[nodiscard]] bool has_to_be_swept(const Island& island, const SpeedRange& speed,
-                                   const IslandEffort& effort);
+                                   const IslandEffort& effort, IslandSolver& solver);
 
 /// How the impulses of an island were found.
 enum class IslandOutcome : std::uint8_t {

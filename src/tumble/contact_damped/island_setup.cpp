@@ -212,11 +212,12 @@ Six IslandSolver::motion_now(const Constraint& constraint, const ContactPatch& p
 // Classifies points as sliding or not, which the convex law does not need, and starts z from the velocities.
 void IslandSolver::begin_iterations(std::span<const ContactPatch> patches, double unit_speed,
                                     FrictionLaw law) {
+  stiffness_ = tolerance::admm_stiffness;
+  first_residual_ = 0.0;
   for (Constraint& constraint : constraints_) {
     const Six motion = motion_now(constraint, patches[idx(constraint.patch)]);
     for (int i = constraint.begin; i < constraint.end; ++i) {
       Point& p = points_[idx(i)];
-      const double rho = stiffness_ / p.inverse_mass;
       Vec3 u = velocity_at(p.along, p.across, motion);
       u[2] -= p.target;
       const double speed = std::sqrt(u[0] * u[0] + u[1] * u[1]);
@@ -227,7 +228,7 @@ void IslandSolver::begin_iterations(std::span<const ContactPatch> patches, doubl
         p.impulse.head<2>() = -p.friction * p.impulse[2] * p.slip_direction.head<2>();
         p.auxiliary = {0.0, 0.0, std::max(0.0, u[2])};
       } else {
-        p.auxiliary = u + (into_cone(p.impulse - rho * u, p.friction) - p.impulse) / rho;
+        start_auxiliary(u, p);
       }
     }
   }

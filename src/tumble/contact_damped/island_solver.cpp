@@ -73,6 +73,33 @@ void IslandSolver::project_impulses(std::span<const ContactPatch> patches, Frict
   }
 }
 
+// z of a point that does not slide, from its motion against the target.
+void IslandSolver::start_auxiliary(const Vec3& motion, Point& point) const {
+  const double rho = stiffness_ / point.inverse_mass;
+  point.auxiliary =
+      motion + (into_cone(point.impulse - rho * motion, point.friction) - point.impulse) / rho;
+}
+
+// Friction may stop a point that was taken for sliding on: a heavy body pushes a light one. Where it would turn the slide around
+// the point gets tangential springs like others. Returns whether there are any.
+bool IslandSolver::hold_reversed(std::span<const ContactPatch> patches) {
+  bool any = false;
+  for (const Constraint& constraint : constraints_) {
+    const Six motion = motion_now(constraint, patches[idx(constraint.patch)]);
+    for (int i = constraint.begin; i < constraint.end; ++i) {
+      Point& p = points_[idx(i)];
+      if (!p.slides) continue;
+      Vec3 u = velocity_at(p.along, p.across, motion);
+      if (!(p.friction * p.impulse[2] > 0.0 && u.dot(p.slip_direction) < 0.0)) continue;
+      u[2] -= p.target;
+      p.slides = false;
+      start_auxiliary(u, p);
+      any = true;
+    }
+  }
+  return any;
+}
+
 // Springs too soft: the primal residual is large, points are far from where they should be. Too stiff: the dual
 // one is large, and nothing moves.
 void IslandSolver::adjust_stiffness(double primal, double dual, double most) {
@@ -113,13 +140,11 @@ void IslandSolver::store(const Island& island, std::span<const MovingBody> free,
   }
 }
 
-// ADMM iterations until the residual is small, or too many. Returns false if they have diverged.
+// ADMM iterations until the residual is small, or too many, after begin_iterations() or from where they were. Returns false if
+// they have diverged.
 bool IslandSolver::iterate(std::span<const ContactPatch> patches, const IslandLimits& limits,
                            FrictionLaw law, IslandResult& result) {
-  stiffness_ = tolerance::admm_stiffness;
-  begin_iterations(patches, limits.unit_speed, law);
-  double factored = 0.0;        // stiffness in the factors
-  double first_residual = 0.0;  // [m/s] after one iteration
+  double factored = 0.0;  // stiffness in the factors
   for (int k = 1; k <= limits.max_iterations; ++k) {
     if (factored != stiffness_) {
       factored = stiffness_;
@@ -134,15 +159,21 @@ bool IslandSolver::iterate(std::span<const ContactPatch> patches, const IslandLi
     // With the impulses alone, velocities are wrong by what the springs still contribute.
     result.residual = std::max(stiffness_ * primal, dual);
     result.converged = result.residual < limits.residual;
-    if (k == 1) first_residual = result.residual;
-    if (result.converged || std::max(primal, dual) < limits.early_stop_residual ||
-        std::isnan(result.residual))
-      break;
+    if (first_residual_ == 0.0) first_residual_ = result.residual;
+    const bool ends = result.converged || std::max(primal, dual) < limits.early_stop_residual ||
+                      std::isnan(result.residual);
+    const bool looks = k == tolerance::stiffness_interval || k == limits.max_iterations / 2;
+    if ((ends || looks) && hold_reversed(patches)) {
+      result.converged = false;
+      factored = 0.0;
+      continue;
+    }
+    if (ends) break;
     if (k % tolerance::stiffness_interval == 0 &&
         k + tolerance::stiffness_last <= limits.max_iterations)
       adjust_stiffness(primal, dual, limits.max_stiffness);
   }
-  return result.residual <= tolerance::admm_diverged * first_residual + limits.unit_speed;
+  return result.residual <= tolerance::admm_diverged * first_residual_ + limits.unit_speed;
 }
 
 IslandResult IslandSolver::solve(const Island& island, const IslandLimits& limits) {
@@ -151,9 +182,8 @@ IslandResult IslandSolver::solve(const Island& island, const IslandLimits& limit
   load(island, island.free, FrictionLaw::coulomb);
   if (costs_too_much(limits.max_work)) return result;
   result.accepted = true;
+  begin_iterations(patches, limits.unit_speed, FrictionLaw::coulomb);
   if (limits.near > 0.0) {
-    stiffness_ = tolerance::admm_stiffness;
-    begin_iterations(patches, limits.unit_speed, FrictionLaw::coulomb);
     result.residual = limits.near;
     newton(patches, limits, result);
     if (result.converged || result.improved) {
@@ -161,14 +191,21 @@ IslandResult IslandSolver::solve(const Island& island, const IslandLimits& limit
       return result;
     }
   }
-  if (!iterate(patches, limits, FrictionLaw::coulomb, result)) {
-    load(island, island.free, FrictionLaw::convex);
-    result.accepted = iterate(patches, limits, FrictionLaw::convex, result);
-    if (result.accepted) store(island, island.free, FrictionLaw::convex);
+  bool stable = iterate(patches, limits, FrictionLaw::coulomb, result);
+  if (stable && !result.converged && limits.max_newton_steps > 0) newton(patches, limits, result);
+  if (stable && !result.converged && !result.improved && limits.more_iterations > 0) {
+    IslandLimits more = limits;
+    more.max_iterations = limits.more_iterations;
+    stable = iterate(patches, more, FrictionLaw::coulomb, result);
+  }
+  if (stable) {
+    store(island, island.free, FrictionLaw::coulomb);
     return result;
   }
-  if (!result.converged && limits.max_newton_steps > 0) newton(patches, limits, result);
-  store(island, island.free, FrictionLaw::coulomb);
+  load(island, island.free, FrictionLaw::convex);
+  begin_iterations(patches, limits.unit_speed, FrictionLaw::convex);
+  result.accepted = iterate(patches, limits, FrictionLaw::convex, result);
+  if (result.accepted) store(island, island.free, FrictionLaw::convex);
   return result;
 }
 

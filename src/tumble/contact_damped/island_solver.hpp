@@ -33,7 +33,8 @@ struct IslandLimits {
   /// [m/s] Above 0, the impulses at the start are as near as this to a solution, and Newton steps are tried before ADMM.
   double near = 0.0;
   double good_residual =
-      0.0;  ///< [m/s] Newton steps in balance end below it: the next step goes on
+      0.0;                  ///< [m/s] Newton steps in balance end below it: the next step goes on
+  int more_iterations = 0;  ///< of ADMM, where Newton steps have failed too
 };
 
 /// How IslandSolver ended.
@@ -66,15 +67,16 @@ struct IslandResult {
 ///
 /// **Sliding.** A point that slides faster than friction could stop it in four steps has no tangential
 /// spring and no shift; its friction is \f$\mu\f$ times the pressure of the iteration before, against its
-/// direction. So it is at its bound in every iteration.
+/// direction. So it is at its bound in every iteration. Where that would turn the slide around, as of a light plank under a
+/// heavy crate, the point becomes one like others.
 ///
-/// **Newton steps** follow where ADMM does not converge. Stiff springs
+/// **Newton steps** follow where ADMM does not converge, with the shift of its last velocities for all points. Stiff springs
 /// \f$\lambda = P_C(\lambda_0 - \rho(J v - w + s n))\f$ are brought into balance with the bodies,
 /// \f$M(v-\hat v) = J^{\mathsf T}\lambda\f$; each step goes as far as the convex function decreases whose
 /// gradient this is. Then \f$\lambda_0\f$ and s are updated (augmented Lagrangian). With
-/// friction above 1 this is not tried, as the shifts diverge there. If it does not
-/// converge either, the best one in balance is taken (IslandLimits::shift_tolerance), or the result of ADMM stays: one that is
-/// not in balance is dominated by rounding, enlarged by the stiffness of the springs.
+/// friction above 1 this is not tried, as the shifts diverge there. If they do not
+/// converge either, the best one in balance is taken (IslandLimits::shift_tolerance), or ADMM goes on from where it was: a
+/// result that is not in balance is dominated by rounding, enlarged by the stiffness of the springs.
 ///
 /// **From step to step.** Where points creep, an update brings s nearer by a twentieth only. An error of the shift
 /// below a slop in a step opens no gap and is accepted (IslandLimits::shift_tolerance), so two or three updates in
@@ -180,12 +182,15 @@ class IslandSolver {
                IslandResult& result);
   void project_impulses(std::span<const ContactPatch> patches, FrictionLaw law, double& primal,
                         double& dual);
+  void start_auxiliary(const Vec3& motion, Point& point) const;
+  bool hold_reversed(std::span<const ContactPatch> patches);
   void adjust_stiffness(double primal, double dual, double most);
   void store(const Island& island, std::span<const MovingBody> free, FrictionLaw law) const;
 
   // island_newton.cpp
   void newton(std::span<const ContactPatch> patches, const IslandLimits& limits,
               IslandResult& result);
+  void start_shifts(std::span<const ContactPatch> patches);
   double update_impulses(double shift_tolerance, double residual);
   double balance(std::span<const ContactPatch> patches, double balanced, int most, int& steps);
   double newton_step(std::span<const ContactPatch> patches);
@@ -203,8 +208,9 @@ class IslandSolver {
   std::vector<Vec6> newton_start_;  // velocities at the start of a Newton step
   std::vector<Point> saved_points_;
   std::vector<Member> saved_members_;
-  double unit_mass_ = 1.0;  // [1/kg] a power of two, one over about a body's mass
-  double stiffness_ = 0.0;  // [-] rho times inverse mass, the same for all points
+  double unit_mass_ = 1.0;       // [1/kg] a power of two, one over about a body's mass
+  double stiffness_ = 0.0;       // [-] rho times inverse mass, the same for all points
+  double first_residual_ = 0.0;  // [m/s] after one ADMM iteration
 
   SparseBlocks matrix_;
 };

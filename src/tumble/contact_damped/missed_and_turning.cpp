@@ -3,6 +3,7 @@
 #include "tumble/base/index.hpp"
 #include "tumble/contact_damped/body_motion.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
+#include "tumble/contact_damped/island_plan.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/dynamics/flight.hpp"
@@ -14,8 +15,9 @@
 namespace tumble {
 namespace {
 
-// [-] Overlap, as a share of the shortest edge, beyond which a tenth of tolerance::sunk_by_turning counts. Reason: bodies that turn
-// on each other may gain a little in each step, and repair takes a fifth of it: two of 2300 random worlds ended above 1 %. (3.2)
+// [-] Overlap, as a share of the shortest edge, beyond which a tenth of tolerance::sunk_by_turning counts, in islands within the
+// budget. Reason: bodies that turn on each other may gain a little in each step, and repair takes a fifth of it: two of 2300
+// random worlds ended above 1 %. Beyond the budget more sweeps follow only, and falling heaps of a thousand cubes get deeper. (3.2)
 constexpr double kDeepOverlap = 0.005;
 constexpr double kIfDeep = 0.1;
 
@@ -44,7 +46,9 @@ struct Turned {
   double expected = 0.0;  // [m] how far apart the nearest point says that the bodies will be
 };
 
-Turned turned_in_step(const Island& island, const BodyMotion& motion, const ContactPatch& patch) {
+// `if_deep`: where they overlap deeply this share of more counts.
+Turned turned_in_step(const Island& island, const BodyMotion& motion, const ContactPatch& patch,
+                      double if_deep) {
   if (!turns(island, patch.first) && !turns(island, patch.second)) return {};
   const Six u = motion_of(patch, island.now[idx(patch.first)], island.now[idx(patch.second)]);
   double expected = std::numeric_limits<double>::infinity();
@@ -53,7 +57,7 @@ Turned turned_in_step(const Island& island, const BodyMotion& motion, const Cont
     expected = std::min(expected, p.gap + island.dt * velocity_at(p.along, p.across, u).z());
     overlap = std::max(overlap, -p.gap);
   }
-  const double counts = (overlap > kDeepOverlap * patch.size ? kIfDeep : 1.0) *
+  const double counts = (overlap > kDeepOverlap * patch.size ? if_deep : 1.0) *
                         tolerance::sunk_by_turning * patch.size;
   return {-overlap - distance_after(island, motion, patch), counts, expected};
 }
@@ -67,25 +71,27 @@ double farthest_turn(const Island& island) {
 }
 
 // The most that bodies of an island sink into each other in the step by turning, as a share of what counts.
-double sunk_by_turning(const Island& island, const BodyMotion& motion) {
+double sunk_by_turning(const Island& island, const BodyMotion& motion, double if_deep) {
   if (std::none_of(island.bodies.begin(), island.bodies.end(),
                    [&](int k) { return turns(island, k); }))
     return 0.0;  // as at rest
   double most = 0.0;
   for (const int contact : island.patch_indices) {
     const ContactPatch& patch = island.all_patches[idx(contact)];
-    const Turned turned = turned_in_step(island, motion, patch);
+    const Turned turned = turned_in_step(island, motion, patch, if_deep);
     most = std::max(most, turned.deeper / turned.counts);
   }
   return most;
 }
 
-// Asks the points of patches that sink so to end as much higher.
-void raise_targets(const Island& island, const BodyMotion& motion) {
+// Adds the points where bodies sink so, if they were too far apart for a patch; else asks its points to end as much higher.
+void raise_targets(const Island& island, const BodyMotion& motion, double if_deep,
+                   PersistentManifolds& manifolds) {
   for (const int contact : island.patch_indices) {
     ContactPatch& patch = island.all_patches[idx(contact)];
-    const Turned turned = turned_in_step(island, motion, patch);
+    const Turned turned = turned_in_step(island, motion, patch, if_deep);
     if (!(turned.deeper > turned.counts)) continue;
+    if (manifolds.add_points(island.world, island.now, island.dt, patch)) continue;
     for (ContactPatchPoint& p : patch.used())
       p.target = std::max(p.target, (turned.expected + turned.deeper - p.gap) / island.dt);
     patch.targets_planar = false;
@@ -133,7 +139,7 @@ void ContactDamped::solve_missed(const World& world, double dt, StepReport& repo
                       [&](int contact) { return island.all_patches[idx(contact)].stamp > last; }))
         solve_again(island, report);
     }
-    if (storage_.work > 2 * options_.budget) return;
+    if (costs_too_much()) return;
     last = memory_.manifolds.last_stamp();
   }
 }
@@ -147,14 +153,15 @@ void ContactDamped::solve_turning(const World& world, double dt, StepReport& rep
   storage_.small_sinks = false;
   for (int k = 0; k < memory_.order.islands().count(); ++k) {
     const Island island = view_of_island(world, k, dt);
+    const double if_deep = exceeds_budget(island, effort()) ? 1.0 : kIfDeep;
     // [S6.3.1:turning]
-    double sunk = sunk_by_turning(island, motion);
+    double sunk = sunk_by_turning(island, motion, if_deep);
     for (int n = 0; n < tolerance::solutions_for_turning && sunk > 1.0; ++n) {
       const double most_turn = std::max(farthest_turn(island), tolerance::turn_given_way);
       storage_.kept.keep(island, storage_.in_flight);
-      raise_targets(island, motion);
+      raise_targets(island, motion, if_deep, memory_.manifolds);
       solve_again(island, report);
-      const double now = sunk_by_turning(island, motion);
+      const double now = sunk_by_turning(island, motion, if_deep);
       if (!(now < sunk) || farthest_turn(island) > most_turn) {
         storage_.kept.restore(island, storage_.in_flight);
         break;

@@ -17,9 +17,10 @@ namespace {
 constexpr int kBlockRounds = 3;
 
 // The k-th sweep over an island, from 0 on: down and up in turn. Returns the largest change of a velocity.
-double sweep_number(int k, const Island& island, const IslandPlan& plan, StepReport& report) {
+double sweep_number(int k, const Island& island, const IslandPlan& plan, StepReport& report,
+                    std::span<double> changes = {}) {
   return sweep(island, k % 2 == 0 ? SweepOrder::down : SweepOrder::up, plan.patch_iterations,
-               plan.skipped_residual, report);
+               plan.skipped_residual, report, changes);
 }
 
 // Sweeps over an island until little changes, so many at most.
@@ -73,20 +74,27 @@ void solve_block(const Island& block, const IslandPlan& plan, IslandSolver& solv
 }
 
 // Pairs of sweeps, down and up, and then a few times the block that they leave unsolved, each time with another pair. Returns
-// whether that was enough.
+// whether that was enough. If only the sweeps were, blocks are undone.
 bool sweep_and_solve_blocks(const Island& island, const IslandPlan& plan, IslandBlock& left,
-                            IslandSolver& solver, KeptSolution& before, StepReport& report) {
+                            IslandSolver& solver, KeptSolution& swept, KeptSolution& before,
+                            StepReport& report) {
   const int pairs = std::max(1, (plan.max_sweeps - 2) / 2);
-  double residual = 0.0;
+  double residual = 0.0, residual_swept = 0.0;
   for (int k = 0; k < pairs + kBlockRounds; ++k) {
-    if (k >= pairs) solve_block(left.find(island), plan, solver, before, report);
-    for (int way = 0; way < 2; ++way) {
-      if (way == 1 && k + 1 >= pairs) left.start(island);  // find() looks at the sweep before it
-      residual = sweep_number(way, island, plan, report);
-      if (residual < plan.residual) return true;
+    if (k == pairs) {
+      swept.keep(island);
+      residual_swept = residual;
     }
+    if (k >= pairs) solve_block(left.find(island), plan, solver, before, report);
+    residual = sweep_number(0, island, plan, report);
+    if (residual < plan.residual) return true;
+    residual = sweep_number(1, island, plan, report, left.changes(island));
+    if (residual < plan.residual) return true;
   }
-  return residual < plan.fair_residual;
+  if (residual < plan.fair_residual) return true;
+  if (!(residual_swept < plan.fair_residual)) return false;
+  swept.restore(island);
+  return true;
 }
 
 // Of the impulses that sweeps have found, and those of the direct solver, the ones with which bodies sink less into each
@@ -183,15 +191,16 @@ void ContactDamped::solve_island(const Island& island, StepReport& report) {
 }
 
 // Solves an island again whose patches or targets are new. In one that is left to sweeps few of them are: sweeps go on from its
-// impulses. Others begin with what was found.
+// impulses, as they do in a large one once the step has cost its budget. Others begin with what was found.
 void ContactDamped::solve_again(const Island& island, StepReport& report) {
   for (const int body : island.bodies) storage_.in_flight[idx(body)] = 1;
-  if (!has_to_be_swept(island, speed_range(island), effort())) {
+  note_approach(island);
+  const bool late = !is_small(island) && storage_.work > options_.budget;
+  if (!late && !has_to_be_swept(island, speed_range(island), effort(), memory_.island_solver)) {
     for (const int body : island.bodies) velocities_.end[idx(body)] = velocities_.free[idx(body)];
     solve_island(island, report);
     return;
   }
-  note_approach(island);
   const IslandPlan plan = plan_island(island, {}, effort(), memory_.island_solver);
   sweep_at_most(options_.sweeps, island, plan, report);
   accept(island, plan, IslandOutcome::swept, report);
@@ -222,7 +231,7 @@ IslandOutcome ContactDamped::run_plan(const Island& island, const IslandPlan& pl
     case IslandMethod::blocks_then_direct:
       // It is quiet, and too costly to solve at once in each step.
       if (!sweep_and_solve_blocks(island, plan, storage_.block, memory_.island_solver,
-                                  storage_.kept_swept, report))
+                                  storage_.kept_swept, storage_.kept_block, report))
         outcome = directly();
       break;
     case IslandMethod::direct_then_sweep:
@@ -236,14 +245,15 @@ IslandOutcome ContactDamped::run_plan(const Island& island, const IslandPlan& pl
 }
 
 // Impulses that push bodies apart are discarded, and sweeps begin anew: those of an impact that the direct solver has not found,
-// and swept ones where much moves, within the budget. Those that add energy are not taken as they are, nor those with which
-// bodies sink deeply, and what nothing holds flies.
+// and in and after an impact swept ones where much moves, within the budget. Those that add energy are not taken as they are, nor
+// those with which bodies sink deeply, and what nothing holds flies.
 void ContactDamped::accept(const Island& island, const IslandPlan& plan, IslandOutcome outcome,
                            StepReport& report) {
   const bool only_swept =
       outcome == IslandOutcome::swept && plan.method == IslandMethod::sweep_unless_sinking;
-  const bool unfinished = outcome == IslandOutcome::unconverged && has_impact(island);
-  if ((only_swept || unfinished) && pushes_apart(island)) {
+  const bool impact = has_impact(island);
+  const bool unfinished = outcome == IslandOutcome::unconverged && impact;
+  if (((only_swept && (impact || is_after_impact(island))) || unfinished) && pushes_apart(island)) {
     discard_impulses(island);
     const int least = unfinished ? tolerance::sweeps_after_gain : 0;
     sweep_at_most(std::max(plan.max_sweeps, least), island, plan, report);
@@ -255,8 +265,11 @@ void ContactDamped::accept(const Island& island, const IslandPlan& plan, IslandO
     outcome = IslandOutcome::swept;
   }
   if (plan.method != IslandMethod::settled)  // which changes nothing
-    for (const int contact : island.patch_indices)
-      island.all_patches[idx(contact)].solved_directly = outcome != IslandOutcome::swept;
+    for (const int contact : island.patch_indices) {
+      ContactPatch& patch = island.all_patches[idx(contact)];
+      patch.solved_directly = outcome != IslandOutcome::swept;
+      if (impact) patch.steps_since_impact = 0;
+    }
   decide_flight(island, storage_.in_flight);
   limit_energy(island, share, report);
   if (plan.method != IslandMethod::settled && plan.method != IslandMethod::sweep)

@@ -136,17 +136,19 @@ inline constexpr double least_share = 0.9;
 
 /// [-] Swept impulses are discarded if the work of those that push bodies apart exceeds this share of the energy of the island's
 /// change of velocity. Reason: rows of 20 to 60 boxes that are hit move at one speed to 5 %; with 1 to 28 %, with 0.1 piles
-/// overlap by a
-/// quarter more. (6.3.1)
+/// overlap by a quarter more. (6.3.1)
 inline constexpr double work_apart = 0.3;
 
 /// [-] Each body counts in that energy as if it had changed by this share of g dt besides. Reason: at rest both are rounding.
 /// (6.3.1)
 inline constexpr double work_apart_floor = 0.1;
 
+/// [-] Steps after an impact in which that may be done. Reason: of 1, 4, 20 and 100 the one with which rows that are hit move as
+/// with no limit. Cards that slide on each other would lose their friction in each step. (6.3.1)
+inline constexpr int steps_after_impact = 100;
+
 /// [-] Times that a step looks for pairs that its impulses push together, at most. Reason: an impact goes on through a row of
-/// twenty
-/// bodies, as many as a small island has. (6.3.1)
+/// twenty bodies, as many as a small island has. (6.3.1)
 inline constexpr int rounds_of_missed = 20;
 
 /// [-] Sweeps that follow where impulses have added energy, at most. Reason: of 12 and 50 the one with which fewer pairs of
@@ -212,6 +214,13 @@ inline constexpr double diverged_residual = 1e6;
 /// [-] Multiple of the option's ADMM iterations for a small island. Reason: they are cheap there. (6.3.1)
 inline constexpr int small_island_iterations = 3;
 
+/// [-] Multiple of the option's ADMM iterations that follow Newton steps that have failed, where masses are unequal. Reason: with 3
+/// planks carry a load of 200 times their mass, with 7 one of 500 times. (6.3.1)
+inline constexpr int more_iterations = 7;
+
+/// [-] Ratio of masses from which they follow. Reason: equal boxes are solved no better by them, and piles cost a tenth more. (6.3.1)
+inline constexpr double unequal_masses = 10.0;
+
 /// [-] Error of velocities at which ADMM ends in a large island in which anything moves, as a share of g dt. Reason: of 0.01 and
 /// 0.003 the larger one with which a tower on a sled keeps its height to 1 mm. (6.3.1)
 inline constexpr double moving_residual = 0.003;
@@ -257,12 +266,9 @@ inline constexpr double admm_diverged = 10.0;
 /// [-] Friction beyond which Newton steps are not tried. Reason: shifts that follow the sliding diverge. (6.3.1)
 inline constexpr double newton_steepest_friction = 1.0;
 
-/// [-] Newton steps before impulses and shifts are updated. Reason: balance is reached in a handful. (6.3.1)
-inline constexpr int newton_steps_in_a_row = 10;
-
-/// [-] Rows of Newton steps without balance after which they end. Reason: of 290 solutions that they found in heaps 5 had so many;
-/// of 760 that they did not find, 370. (6.3.1)
-inline constexpr int newton_gives_up = 2;
+/// [-] Newton steps before impulses and shifts are updated; without balance by then they end. Reason: 64 cubes that begin
+/// to slide as one need 19 for the first balance. (6.3.1)
+inline constexpr int newton_steps_in_a_row = 20;
 
 /// [-] Share of the allowed residual at which springs and bodies are in balance. Reason: the remainder must not count against the
 /// updates. (6.3.1)

@@ -176,6 +176,7 @@ void transfer_impulses(const ContactPatch& before, ContactPatch& patch) {
   const Vec3 shift = patch.frame_w.transpose() * (with_first ? on_first_w : on_second_w);
   const Vec3 moment = turn * Vec3(old[3], old[4], old[5]) + shift.cross(force);
   patch.solved_directly = before.solved_directly;
+  patch.steps_since_impact = before.steps_since_impact;
   patch.along_impulse = force[0];
   patch.across_impulse = force[1];
   patch.twist_impulse = moment[2];

@@ -54,6 +54,7 @@ struct ContactPatchPoint {
 /// kept from step to step, and gaps follow from the small motion (PersistentManifolds).
 struct ContactPatch {
   static constexpr std::size_t kMostPoints = Manifold::kMostPoints;  ///< of a patch
+  static constexpr int kNoImpact = 1000;                             ///< steps since it: many
 
   // What a sweep reads stands together, since memory bounds large worlds.
   int first = 0;                 ///< index of the first body in this step
@@ -83,11 +84,13 @@ struct ContactPatch {
   std::uint64_t stamp = 0;                     ///< changes each time that the patch is built
   double restitution = 0.0;                    ///< [-] of the pair
   double carried_impulse = 0.0;                ///< [N s] along the normal, from the step before
+  int steps_since_impact = kNoImpact;          ///< since an impact in its island
   std::array<Vec3, 2> built_position_w;        ///< [m] of both bodies when the patch was built
   std::array<Quat, 2> built_orientation_wb;    ///< [-] of both bodies then
   std::array<double, 2> built_inverse_mass{};  ///< [1/kg] of both bodies then; 0 for sleeping ones
   double built_reach = 0.0;                    ///< [m] points with a larger gap were left out
-  Vec3 flat_w = Vec3::Zero();  ///< [-] direction in which a grazed edge has no height, else 0
+  /// [-] directions in which a grazed edge has no height, else 0
+  std::array<Vec3, 2> flat_w = {Vec3::Zero(), Vec3::Zero()};
 
   /// The points in use.
   /// \return `count` of them

@@ -28,13 +28,15 @@ bool share_a_body(const ContactPatch& a, const ContactPatch& b,
 
 void drop_grazed_edges(std::span<const MovingBody> bodies, std::vector<ContactPatch>& patches,
                        std::uint64_t since) {
-  const auto grazes = [](const ContactPatch& patch) { return !patch.flat_w.isZero(); };
+  const auto grazes = [](const ContactPatch& patch) { return !patch.flat_w[0].isZero(); };
   // Whether a body of the edge's pair lies on something in the plane of the edge.
   const auto supports = [&](const ContactPatch& edge, const ContactPatch& other) {
     if (grazes(other) || !share_a_body(edge, other, bodies)) return false;
     const Vec3 height_w = middle_of(edge, bodies) - middle_of(other, bodies);
-    return std::abs(other.frame_w.col(2).dot(edge.flat_w)) > tolerance::flush_plane &&
-           std::abs(height_w.dot(edge.flat_w)) < tolerance::flush_height * edge.size;
+    return std::any_of(edge.flat_w.begin(), edge.flat_w.end(), [&](const Vec3& flat_w) {
+      return std::abs(other.frame_w.col(2).dot(flat_w)) > tolerance::flush_plane &&
+             std::abs(height_w.dot(flat_w)) < tolerance::flush_height * edge.size;
+    });
   };
   for (ContactPatch& patch : patches)
     if (patch.stamp > since && grazes(patch) &&

@@ -3,12 +3,11 @@
 #include "tumble/contact_patches/persistent_manifolds.hpp"
 
 #include "tumble/base/index.hpp"
-#include "tumble/contact/gather.hpp"
 #include "tumble/contact/meeting.hpp"
 #include "tumble/contact/movable_edge.hpp"
 #include "tumble/contact_patches/grazed_edges.hpp"
+#include "tumble/contact_patches/points_ahead.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
-#include "tumble/geometry/nearest_point.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,67 +16,14 @@
 namespace tumble {
 namespace {
 
+// [-] Cosine of the angle (60 degrees) below which two contacts of a pair are on the same side. Reason: a box that slides off the
+// top of a tile is beside it next, at a right angle; one that rolls turns by less in a step. (3.2)
+constexpr double kSameSide = 0.5;
+
 // The small rotation from one orientation to another, as a vector. A quaternion and its negative are the same.
 Vec3 small_rotation(const Quat& from, const Quat& to) {
   const Quat change = to * from.conjugate();
   return (change.w() < 0.0 ? -2.0 : 2.0) * change.vec();
-}
-
-double half_diagonal(const BodyProperties& body) {
-  return body.movable() ? 0.5 * body.size.norm() : 0.0;
-}
-
-// How far points of two bodies can come by turning in a step, and a margin that keeps a resting contact.
-double margin_of(const World& world, const IndexPair& pair, std::span<const MovingBody> bodies,
-                 double dt) {
-  const BodyProperties& a = world.bodies()[idx(pair.first)];
-  const BodyProperties& b = world.bodies()[idx(pair.second)];
-  return dt * (half_diagonal(a) * bodies[idx(pair.first)].angular_velocity_w.norm() +
-               half_diagonal(b) * bodies[idx(pair.second)].angular_velocity_w.norm()) +
-         tolerance::kept_margin * movable_edge(a, b);
-}
-
-// The velocity of a stopped body: that of immovable bodies, or if there are none the mean one, since
-// bodies that all move together are at rest.
-Vec3 velocity_of_rest(std::span<const MovingBody> bodies) {
-  Vec3 sum_w = Vec3::Zero();
-  for (const MovingBody& body : bodies) {
-    if (body.inverse_mass.x() == 0.0) return Vec3::Zero();
-    sum_w += body.velocity_w;
-  }
-  return bodies.empty() ? sum_w : Vec3(sum_w / static_cast<double>(bodies.size()));
-}
-
-// How far two bodies can approach each other by moving, in any direction. Other bodies may stop one of the two
-// within the step, so that its own velocity does not count.
-double approach_of_pair(const Vec3& rest_w, const MovingBody& first, const MovingBody& second,
-                        double dt) {
-  return dt * std::max({(second.velocity_w - first.velocity_w).norm(),
-                        (first.velocity_w - rest_w).norm(), (second.velocity_w - rest_w).norm()});
-}
-
-// The same along a normal.
-double approach_along(const Vec3& normal_w, const Vec3& rest_w, const MovingBody& first,
-                      const MovingBody& second, double dt) {
-  const double v = normal_w.dot(first.velocity_w - rest_w);
-  const double w = normal_w.dot(rest_w - second.velocity_w);
-  return dt * std::max({v + w, v, w, 0.0});
-}
-
-// All points at which a pair could come together within the step. Returns whether there are any.
-bool find_points_ahead(const World& world, const IndexPair& pair, double reach, AxisIndex axis,
-                       Manifold& manifold) {
-  const bool found = touch_pair(world, world.states(), pair, reach, axis, manifold);
-  const BodyProperties& a = world.bodies()[idx(pair.first)];
-  const BodyProperties& b = world.bodies()[idx(pair.second)];
-  const double nearer = tolerance::corner_beside * movable_edge(a, b);
-  const bool fast = reach > nearer;
-  if (a.shape == Shape::ground || b.shape == Shape::ground || !(found || fast)) return found;
-  const Box first = box_of(a, world.states()[idx(pair.first)]);
-  const Box second = box_of(b, world.states()[idx(pair.second)]);
-  if (found) add_face_points(first, second, reach, manifold);  // of the faces beside two edges
-  if (fast) add_nearest_point(first, second, reach, nearer, manifold);  // of a corner beside a face
-  return manifold.count > 0;
 }
 
 // Indices and targets of a patch in this step.
@@ -105,11 +51,6 @@ bool comes_before(const ContactPatch& patch, BodyId first, BodyId second) {
 
 bool belongs_to(const ContactPatch& patch, BodyId first, BodyId second) {
   return patch.first_id == first && patch.second_id == second;
-}
-
-bool has_point_within(const Manifold& found, double reach) {
-  return std::any_of(found.points.begin(), found.points.begin() + found.count,
-                     [&](const ManifoldPoint& p) { return p.distance <= reach; });
 }
 
 }  // namespace
@@ -151,14 +92,14 @@ bool PersistentManifolds::still_valid(const World& world, const IndexPair& pair,
   return true;
 }
 
-ContactPatch& PersistentManifolds::add_patch(const World& world, const IndexPair& pair,
+ContactPatch PersistentManifolds::make_patch(const World& world, const IndexPair& pair,
                                              const Manifold& manifold, const MovingBody& first,
                                              const MovingBody& second, double reach) {
   const BodyProperties& a = world.bodies()[idx(pair.first)];
   const BodyProperties& b = world.bodies()[idx(pair.second)];
   const BodyState& first_state = world.states()[idx(pair.first)];
   const BodyState& second_state = world.states()[idx(pair.second)];
-  ContactPatch& patch = patches_.emplace_back();
+  ContactPatch patch;
   patch.first_id = world.ids()[idx(pair.first)];
   patch.second_id = world.ids()[idx(pair.second)];
   patch.size = movable_edge(a, b);
@@ -174,27 +115,28 @@ ContactPatch& PersistentManifolds::add_patch(const World& world, const IndexPair
 }
 
 // Looks where a pair can come together within the step. If it can, a patch is added at the end. A pair that was pushed together
-// in the step before has one although it would pass if nothing stopped it: what pushed it mostly does so again.
+// in the step before, on the same side, has one although it would pass if nothing stopped it, and its edge has a height: what
+// pushed it mostly does so again.
 bool PersistentManifolds::look_for_patch(const World& world, const IndexPair& pair,
                                          std::span<const MovingBody> bodies, const Vec3& rest_w,
                                          const Vec3& gained_w, double dt,
                                          const ContactPatch* previous) {
   const MovingBody& first = bodies[idx(pair.first)];
   const MovingBody& second = bodies[idx(pair.second)];
-  const double margin = margin_of(world, pair, bodies, dt);
-  const double reach = approach_of_pair(rest_w, first, second, dt) + margin;
+  const double reach = reach_of_pair(world, pair, bodies, rest_w, dt);
   Manifold manifold;
   const AxisIndex axis = previous != nullptr ? previous->axis : kNoAxis;
   if (!find_points_ahead(world, pair, reach, axis, manifold)) return false;
-  const double approach = approach_along(manifold.normal_w, rest_w, first, second, dt);
-  if (!has_point_within(manifold, approach + margin)) return false;
+  if (!can_meet(world, pair, bodies, rest_w, manifold, dt)) return false;
   const double size =
       movable_edge(world.bodies()[idx(pair.first)], world.bodies()[idx(pair.second)]);
   const MeetingFound met = find_meeting(world, pair, manifold, size, tolerance::contact_slop * size,
                                         bodies, gained_w, dt);
-  const bool pushed = previous != nullptr && impulse_of(*previous)[six::normal] > 0.0;
+  const bool pushed = previous != nullptr && impulse_of(*previous)[six::normal] > 0.0 &&
+                      previous->frame_w.col(2).dot(manifold.normal_w) > kSameSide;
   if (met.meeting == Meeting::pass && !pushed) return false;
-  add_patch(world, pair, manifold, first, second, reach).flat_w = met.flat_w;
+  patches_.push_back(make_patch(world, pair, manifold, first, second, reach));
+  if (!pushed) patches_.back().flat_w = met.flat_w;
   return true;
 }
 
@@ -221,8 +163,7 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
     const MovingBody& second = bodies[idx(pair.second)];
     if (!world.bodies()[idx(pair.first)].movable() && !world.bodies()[idx(pair.second)].movable())
       continue;
-    const double reach =
-        approach_of_pair(rest_w, first, second, dt) + margin_of(world, pair, bodies, dt);
+    const double reach = reach_of_pair(world, pair, bodies, rest_w, dt);
     // [S6.3.1:kept]
     ContactPatch* const previous =
         previous_patch(world.ids()[idx(pair.first)], world.ids()[idx(pair.second)]);
@@ -243,6 +184,7 @@ ManifoldsFound PersistentManifolds::find(const World& world, std::span<const Mov
     set_for_step(pair, bodies, dt, patch);
     scale_impulses(impulse_ratio, patch);
     patch.carried_impulse = impulse_of(patch)[six::normal];
+    patch.steps_since_impact = std::min(patch.steps_since_impact + 1, ContactPatch::kNoImpact);
     for (const ContactPatchPoint& p : patch.used())
       found.deepest_overlap = std::max(found.deepest_overlap, -p.gap);
   }
@@ -290,6 +232,25 @@ int PersistentManifolds::add_missed(const World& world, std::span<const MovingBo
                      });
   drop_grazed_edges(bodies, patches_, last);
   return static_cast<int>(patches_.size() - found);
+}
+
+bool PersistentManifolds::add_points(const World& world, std::span<const MovingBody> bodies,
+                                     double dt, ContactPatch& patch) {
+  const IndexPair pair{patch.first, patch.second};
+  const MovingBody& first = bodies[idx(pair.first)];
+  const MovingBody& second = bodies[idx(pair.second)];
+  const double reach = reach_of_pair(world, pair, bodies, velocity_of_rest(bodies), dt);
+  Manifold manifold;
+  if (!(reach > patch.built_reach) ||
+      !find_points_ahead(world, pair, reach, patch.axis, manifold) || manifold.count <= patch.count)
+    return false;
+  ContactPatch more = make_patch(world, pair, manifold, first, second, reach);
+  more.flat_w = patch.flat_w;
+  more.carried_impulse = patch.carried_impulse;
+  transfer_impulses(patch, more);
+  set_for_step(pair, bodies, dt, more);
+  patch = more;
+  return true;
 }
 
 }  // namespace tumble

@@ -52,6 +52,14 @@ class PersistentManifolds {
   int add_missed(const World& world, std::span<const MovingBody> bodies,
                  std::span<const IndexPair> candidates, double dt);
 
+  /// Adds the points of a patch that find() left out, since they were too far apart, and that its bodies can reach with the
+  /// velocities that impulses have given them.
+  /// \param bodies  how they move now, by index
+  /// \param patch   in and out: of patches()
+  /// \return whether there are any; then targets are those of the gaps
+  bool add_points(const World& world, std::span<const MovingBody> bodies, double dt,
+                  ContactPatch& patch);
+
   /// The stamp of the last patch that was built; it rises with each.
   [[nodiscard]] std::uint64_t last_stamp() const { return built_; }
 
@@ -68,7 +76,7 @@ class PersistentManifolds {
   bool look_for_patch(const World& world, const IndexPair& pair, std::span<const MovingBody> bodies,
                       const Vec3& rest_w, const Vec3& gained_w, double dt,
                       const ContactPatch* previous);
-  ContactPatch& add_patch(const World& world, const IndexPair& pair, const Manifold& manifold,
+  ContactPatch make_patch(const World& world, const IndexPair& pair, const Manifold& manifold,
                           const MovingBody& first, const MovingBody& second, double reach);
 
   std::vector<ContactPatch> patches_;

@@ -79,7 +79,9 @@ void require_joints_held(const Technique& technique, const World& world) {
   require::that(false, "technique " + std::string(technique.name()) +
                            " does not support joints, and the scene has " + std::to_string(count) +
                            ", the first called " + world.joints().front().name +
-                           ": choose glued (--technique glued), or leave out [[joint]]");
+                           ": choose glued (--technique glued --set contacts=collide, so that "
+                           "boxes collide), or leave out "
+                           "[[joint]]");
 }
 
 }  // namespace tumble

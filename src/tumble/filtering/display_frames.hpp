@@ -31,8 +31,7 @@ class DisplayFrames {
     last_ = begun_ ? now_ : now;
     now_ = now;
     begun_ = true;
-    end_ = std::max(
-        next, static_cast<std::int64_t>(std::floor(now * rate_ + tolerance::frame_slack)) + 1);
+    end_ = std::max(next, number(std::floor(now * rate_ + tolerance::frame_slack)) + 1);
     first_ = std::max(next, end_ - window_);
   }
 
@@ -47,7 +46,7 @@ class DisplayFrames {
   /// The first frame at a time or after it.
   /// \param time [s]
   [[nodiscard]] std::int64_t frame_from(double time) const {
-    return static_cast<std::int64_t>(std::ceil(time * rate_ - tolerance::frame_slack));
+    return number(std::ceil(time * rate_ - tolerance::frame_slack));
   }
   /// Position of a frame within the last step.
   /// \param frame first() to end() - 1
@@ -59,6 +58,11 @@ class DisplayFrames {
   }
 
  private:
+  // Beyond 2^53, after 4.8 million years at 60 Hz, doubles skip numbers: no frame is shown there.
+  static std::int64_t number(double frame) {
+    return static_cast<std::int64_t>(std::min(frame, 9007199254740992.0));
+  }
+
   double rate_;
   int window_;
   bool begun_ = false;

@@ -19,7 +19,7 @@ namespace tumble {
 namespace {
 
 constexpr std::array<FilterRecipe, 4> kFilters = {{
-    {"box", "box:FRAMES[,causal]", "mean over an odd number of frames (thesis 5.5)"},
+    {"box", "box[:FRAMES=5[,causal]]", "mean over an odd number of frames (thesis 5.5)"},
     {"envelope", "envelope:RADIUS,ANGLE", "at rest until it leaves an envelope (thesis 5.5)"},
     {"soft_envelope", "soft_envelope:RADIUS,ANGLE", "an envelope that does not pop"},
     {"one_euro", "one_euro:CUTOFF[,GAIN[,SPEED_CUTOFF]]",

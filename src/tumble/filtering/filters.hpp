@@ -13,7 +13,7 @@ namespace tumble {
 /// A filter that can be selected by name.
 struct FilterRecipe {
   std::string_view name;     ///< its name
-  std::string_view form;     ///< with its parameters, for example "box:FRAMES[,causal]"
+  std::string_view form;     ///< with its parameters, for example "box[:FRAMES=5[,causal]]"
   std::string_view summary;  ///< one line
 };
 

@@ -23,7 +23,6 @@ namespace {
 
 constexpr std::size_t kNumbers = 13;                         // in a row, after time and name
 constexpr std::size_t kLongestLine = std::size_t{1} << 16U;  // [bytes]
-constexpr int kMostRows = 20000000;                          // 2 GB of poses
 
 // One row of trajectory.csv. Messages name the file and the line.
 class Row {
@@ -91,8 +90,8 @@ RecordedRun read_trajectory(Scene scene, std::istream& in, const std::string& na
     const std::string where = name + ":" + std::to_string(number);
     require::that(in.gcount() + 1 < static_cast<std::streamsize>(line.size()),
                   where + ": a line of 64 KiB and more: expected a row of a trajectory");
-    require::that(number <= kMostRows,
-                  where + ": more than " + std::to_string(kMostRows) + " rows");
+    require::that(number <= kMostTrajectoryRows,
+                  where + ": more than " + std::to_string(kMostTrajectoryRows) + " rows");
     if (number == 1) continue;  // the names of the columns
     const Row row(where, line.data());
     const double time = row.number(0);

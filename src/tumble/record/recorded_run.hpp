@@ -13,6 +13,9 @@
 
 namespace tumble {
 
+/// Rows of a trajectory that can be read, at most: 2 GB of poses.
+inline constexpr int kMostTrajectoryRows = 20000000;
+
 /// One body in one recorded frame: a row of a trajectory.
 struct RecordedPose {
   int box = 0;                             ///< place of the body in the scene, from 0
@@ -38,7 +41,7 @@ struct RecordedRun {
 /// \param table   kTrajectoryFile for the poses as computed, kFilteredFile for those that its filter
 ///                showed
 /// \throws std::invalid_argument "FILE:LINE: KEY = VALUE: what would be right", or if one of the files
-///         cannot be read, has a line of 64 KiB, or more than 20 million rows
+///         cannot be read, has a line of 64 KiB, or more than kMostTrajectoryRows rows
 RecordedRun read_run(const std::filesystem::path& folder, std::string_view table = kTrajectoryFile);
 
 /// Reads a trajectory from an open file or from memory.

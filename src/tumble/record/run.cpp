@@ -59,7 +59,8 @@ class RunChecks {
                   Observation(simulation, hit_),     Observation(simulation, turn_)} {}
 
   [[nodiscard]] StepStatus status() const {
-    return std::max({energy_.status(), passage_.status(), hang_.status(), hit_.status()});
+    return std::max(
+        {appear_.status(), energy_.status(), passage_.status(), hang_.status(), hit_.status()});
   }
   void on_overlap(const World& world, double deepest) { passage_.on_overlap(world, deepest); }
   // After the last step; with nothing left in anything no pair needs to be looked at.

@@ -135,13 +135,22 @@ void AppearCheck::on_change(const World& world, double /*energy_added*/) {
       const double accepted =
           tolerance::start_overlap * shortest_edge(bodies[first], bodies[second]);
       if (!(depth > accepted)) continue;
-      find(world, world.name(static_cast<int>(k)) + " appears " + rounded_text(depth, 3) +
-                      " m deep in " + world.name(static_cast<int>(i)) +
-                      ", and to part them can add energy: leave room for it, up to " +
-                      rounded_text(accepted, 3) + " m is accepted");
+      deep_ =
+          deep_ || depth > tolerance::deep_overlap * shortest_edge(bodies[first], bodies[second]);
+      find(world,
+           world.name(static_cast<int>(k)) + " appears " + rounded_text(depth, 3) + " m deep in " +
+               world.name(static_cast<int>(i)) +
+               ", and is pushed out, which can add energy: give it another position or another "
+               "time to appear; up to " +
+               rounded_text(accepted, 3) + " m is accepted");
     }
   }
   on_begin(world);
+}
+
+void AppearCheck::on_step(const World& /*world*/, const StepReport& /*report*/) {
+  status_ = deep_ ? StepStatus::passed_through : StepStatus::done;
+  deep_ = false;
 }
 
 }  // namespace tumble

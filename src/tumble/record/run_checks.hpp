@@ -67,13 +67,16 @@ class TurnCheck : public RunCheck {
 };
 
 /// Reports the first box that appears inside another body, deeper than a scene may have it at its start
-/// (`tolerance::start_overlap`). The technique moves the two apart, which can add energy. The status stays StepStatus::done.
+/// (`tolerance::start_overlap`). The technique moves the two apart, which can add energy. Where it is deeper than a tenth of the
+/// shorter edge (`tolerance::deep_overlap`) the status of the step is StepStatus::passed_through.
 class AppearCheck : public RunCheck {
  public:
   void on_begin(const World& world) override;
   void on_change(const World& world, double energy_added) override;
+  void on_step(const World& world, const StepReport& report) override;
 
  private:
+  bool deep_ = false;          // a box has appeared so deep since the last step
   std::vector<BodyId> known_;  // there before the change, ascending
 };
 

@@ -75,6 +75,16 @@ BodyState state_of(const SceneBox& box, const BodyProperties& body) {
                     box.angular_velocity_w);
 }
 
+// The key of scene files that a message is about: "velocity_w = ..." is about velocity.
+std::string key_of(std::string_view message) {
+  std::string_view key = message.substr(0, message.find(" = "));
+  if (key.ends_with("_w")) key.remove_suffix(2);
+  for (const std::string_view known :
+       {"position", "velocity", "angular_velocity", "friction", "appears", "disappears"})
+    if (key == known) return std::string(key);
+  return "";
+}
+
 }  // namespace
 
 BodyProperties properties_of(const SceneBox& box) {
@@ -128,7 +138,9 @@ World start_world(Scene& scene) {
       if (!(box.appears > 0.0)) world.add(body, state, box.name);
     } catch (const std::invalid_argument& error) {
       const std::string name = ", " + box.name + ": ";
-      throw SceneMistake(static_cast<int>(i), "", name + std::string(message_of(error)));
+      SceneMistake mistake(static_cast<int>(i), "", name + std::string(message_of(error)));
+      mistake.set_key(key_of(message_of(error)));
+      throw mistake;
     }
   }
   join_bodies(scene, world);

@@ -69,6 +69,8 @@ class SceneMistake : public std::invalid_argument {
   [[nodiscard]] const std::string& table() const { return table_; }
   /// The wrong key of scene files; may be empty.
   [[nodiscard]] const std::string& key() const { return key_; }
+  /// Sets the key, where the message names the quantity as SceneBox has it.
+  void set_key(std::string key) { key_ = std::move(key); }
 
  private:
   int box_;

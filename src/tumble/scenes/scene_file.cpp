@@ -225,7 +225,7 @@ Scene read_table(const toml::table& root, std::string_view file) {
   }
   const toml::node* boxes = place.find("box");
   if (boxes == nullptr || !boxes->is_array() || boxes->as_array()->empty())
-    place.refuse("box", boxes, "a scene needs at least one [[box]] table");
+    place.refuse("box", boxes, "a scene needs at least one [[box]] table, in two brackets");
   scene.boxes = place.list("box", read_box);
   scene.wishes = place.list("wish", read_wish);
   scene.joints = place.list("joint", read_joint);
@@ -236,8 +236,9 @@ toml::table parsed(std::string_view text, std::string_view file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
+    constexpr std::size_t most = 200;  // bytes of a description, which may hold parts of the text
     throw std::invalid_argument(
-        not_toml(file, error.source().begin.line, one_line(error.description())));
+        not_toml(file, error.source().begin.line, one_line(error.description(), most)));
   }
 }
 
@@ -256,8 +257,12 @@ Scene parse_scene(std::string_view text, std::string_view file) {
     const Place place = mistake.box() < 0
                             ? all
                             : all.table(mistake.table(), static_cast<std::size_t>(mistake.box()));
-    throw std::invalid_argument(place.place_of(place.find(mistake.key())) +
-                                std::string(message_of(mistake)));
+    std::string message(message_of(mistake));
+    // Keys have no frame.
+    const std::string quantity = ": " + mistake.key() + "_w = ";
+    if (const std::size_t at = message.find(quantity); at != std::string::npos)
+      message.erase(at + quantity.size() - 5, 2);
+    throw std::invalid_argument(place.place_of(place.find(mistake.key())) + message);
   }
 }
 
