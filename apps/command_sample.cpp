@@ -88,9 +88,8 @@ void require_same(const fs::path& file, const std::string& now) {
     return begin < text.size() ? text.substr(begin, text.find('\n', begin) - begin)
                                : std::string("nothing");
   };
-  require::that(false, "--resume: " + file.string() + " has \"" + line(then) +
-                           "\", and this is \"" + line(now) +
-                           "\": continue with the original settings");
+  refuse("--resume: " + file.string() + " has \"" + line(then) + "\", and this is \"" + line(now) +
+         "\": continue with the original settings");
 }
 
 int cores_of(const SampleRequest& sample) {

@@ -51,8 +51,7 @@ void apply_one(const std::string& setting, Parameters& scene, Parameters& techni
   for (const Parameter& p : technique.all()) known.push_back(p.key);
   const std::string_view place =
       scene.all().empty() ? " (those of a scene file are in the file)" : "";
-  require::that(false,
-                "--set " + setting + ": unknown key; " + expected_names(key, known).append(place));
+  refuse("--set " + setting + ": unknown key; " + expected_names(key, known).append(place));
 }
 
 // A folder for output may not hold the scene file that is read.
@@ -95,7 +94,7 @@ Scene resolve_scene(const Request& request) {
 }
 
 ResolvedRequest resolve(const Request& request) {
-  require_valid(request.run);
+  require_run_settings(request.run);
   RunDescription d;
   d.scene = request.scene;
   d.technique = request.technique.empty() ? std::string(kDefaultTechnique) : request.technique;

@@ -12,9 +12,7 @@ const TechniqueRecipe& technique_recipe(std::string_view name) {
     if (recipe.name == name) return recipe;
     names.push_back(recipe.name);
   }
-  require::that(false,
-                "unknown technique " + std::string(name) + ": " + expected_names(name, names));
-  return technique_library().front();  // not reached
+  refuse("unknown technique " + std::string(name) + ": " + expected_names(name, names));
 }
 
 std::unique_ptr<Technique> make_technique(std::string_view name,

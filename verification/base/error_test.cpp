@@ -29,21 +29,21 @@ TEST_CASE("A refused number is reported with its name, its value and the expecte
 TEST_CASE("A refused vector, matrix or quaternion is reported with all components",
           "[unit][error]") {
   CHECK(refusal_of([] { require::finite(Vec3(1.0, kNan, -2.5), "position"); }) ==
-        "tumble: position = (1, nan, -2.5): expected three finite numbers");
+        "tumble: position = [1, nan, -2.5]: expected three finite numbers");
   CHECK(refusal_of([] {
           Mat3 m = Mat3::Identity();
           m(0, 2) = kInfinity;
           require::finite(m, "inertia");
-        }) == "tumble: inertia = (1, 0, inf)(0, 1, 0)(0, 0, 1): expected nine finite numbers");
+        }) == "tumble: inertia = [1, 0, inf][0, 1, 0][0, 0, 1]: expected nine finite numbers");
   CHECK(refusal_of([] { require::unit(Vec3(0.0, 2.0, 0.0), "axis"); }) ==
-        "tumble: axis = (0, 2, 0): expected a vector of length 1: normalise it first");
+        "tumble: axis = [0, 2, 0]: expected a vector of length 1: normalise it first");
   CHECK(refusal_of([] { require::unit(Vec3(kNan, 0.0, 0.0), "axis"); }) ==
-        "tumble: axis = (nan, 0, 0): expected three finite numbers");
+        "tumble: axis = [nan, 0, 0]: expected three finite numbers");
   CHECK(refusal_of([] { require::unit(Quat(2.0, 0.0, 0.0, 0.0), "q"); }) ==
-        "tumble: q = (w 2, x y z (0, 0, 0)): expected a quaternion of length 1: normalise it "
+        "tumble: q = (w 2, x y z [0, 0, 0]): expected a quaternion of length 1: normalise it "
         "first");
   CHECK(refusal_of([] { require::unit(Quat(kNan, 0.0, 0.0, 0.0), "q"); }) ==
-        "tumble: q = (w nan, x y z (0, 0, 0)): expected a quaternion of length 1: "
+        "tumble: q = (w nan, x y z [0, 0, 0]): expected a quaternion of length 1: "
         "normalise it "
         "first");
 }

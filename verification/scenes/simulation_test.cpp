@@ -224,8 +224,8 @@ TEST_CASE("Before the first step a box that is thrown in or taken away changes t
 
 TEST_CASE("A throw that is refused leaves the run as it was", "[unit][scenes][live]") {
   const std::vector<std::pair<SceneBox, std::string>> cases = {
-      {cube(Vec3(0.0, kNan, 0.0)), "position_w = (0, nan, 0): expected three finite numbers"},
-      {cube(Vec3(0.0, 9.0, 0.0), Vec3(HUGE_VAL, 0.0, 0.0)), "velocity_w = (inf, 0, 0)"},
+      {cube(Vec3(0.0, kNan, 0.0)), "position_w = [0, nan, 0]: expected three finite numbers"},
+      {cube(Vec3(0.0, 9.0, 0.0), Vec3(HUGE_VAL, 0.0, 0.0)), "velocity_w = [inf, 0, 0]"},
       {SceneBox{.name = "", .mass = -1.0, .position_w = Vec3(0.0, 9.0, 0.0)},
        "mass = -1: expected"},
       {SceneBox{.name = "", .mass = kNan, .position_w = Vec3(0.0, 9.0, 0.0)},

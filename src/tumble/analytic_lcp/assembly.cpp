@@ -16,14 +16,14 @@ namespace {
 
 void require_entries(std::size_t given, std::size_t needed, std::string_view name) {
   if (given != needed)
-    require::that(false, std::string(name) + ": " + std::to_string(given) + " entries; " +
-                             std::to_string(needed) + " are needed");
+    refuse(std::string(name) + ": " + std::to_string(given) + " entries; " +
+           std::to_string(needed) + " are needed");
 }
 
 void require_body(int body, std::size_t count) {
   if (body < 0 || idx(body) >= count)
-    require::that(false, "contact with body " + std::to_string(body) + ": an index below " +
-                             std::to_string(count) + " is needed");
+    refuse("contact with body " + std::to_string(body) + ": an index below " +
+           std::to_string(count) + " is needed");
 }
 
 // The axes are numbered as in AxisIndex: three faces of the first body, three of the second, then
@@ -91,8 +91,7 @@ Vec3 rate_of_normal(const World& world, std::span<const MovingBody> bodies,
   require_body(contact.first, bodies.size());
   require_body(contact.second, bodies.size());
   if (contact.axis < kNoAxis || contact.axis > 14)
-    require::that(false, "contact.axis = " + std::to_string(contact.axis) +
-                             ": expected an axis from -1 to 14");
+    refuse("contact.axis = " + std::to_string(contact.axis) + ": expected an axis from -1 to 14");
   const Vec3& omega_first_w = bodies[idx(contact.first)].angular_velocity_w;
   const Vec3& omega_second_w = bodies[idx(contact.second)].angular_velocity_w;
   if (contact.axis == kNoAxis) return Vec3::Zero();  // the ground's
@@ -134,8 +133,7 @@ void ContactProblem::assemble(const World& world, std::span<const MovingBody> bo
   require_entries(bodies.size(), world.bodies().size(), "bodies");
   require_entries(free.size(), bodies.size(), "free");
   if (!(separation_speed >= 0.0))
-    require::that(false,
-                  "separation_speed = " + shortest_text(separation_speed) + ": give at least 0");
+    refuse("separation_speed = " + shortest_text(separation_speed) + ": give at least 0");
   for (const int body : involved_) place_[idx(body)] = -1;
   place_.resize(bodies.size(), -1);
   involved_.clear();

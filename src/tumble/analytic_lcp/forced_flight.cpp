@@ -17,8 +17,8 @@ void ForcedFlight::begin(const World& world) {
 
 void ForcedFlight::set_wrenches(std::span<const Wrench> wrenches) {
   if (wrenches.size() != start_.size())
-    require::that(false, "wrenches: " + std::to_string(wrenches.size()) + " entries; " +
-                             std::to_string(start_.size()) + " are needed");
+    refuse("wrenches: " + std::to_string(wrenches.size()) + " entries; " +
+           std::to_string(start_.size()) + " are needed");
   wrenches_.assign(wrenches.begin(), wrenches.end());
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 void require_index(int index, std::size_t count, std::string_view name) {
   if (index < 0 || idx(index) >= count)
-    require::that(false, std::string(name) + " = " + std::to_string(index) +
-                             ": expected an index below " + std::to_string(count));
+    refuse(std::string(name) + " = " + std::to_string(index) + ": expected an index below " +
+           std::to_string(count));
 }
 
 void require_valid(std::span<const MovingBody> bodies, std::span<const Contact> contacts,
@@ -175,8 +175,7 @@ void FrictionPyramid::assemble(std::span<const MovingBody> bodies,
                                std::span<const Contact> contacts,
                                std::span<const FrictionPoint> points, int directions) {
   if (directions != 0 && directions != 4 && directions != 8)
-    require::that(false,
-                  "directions = " + std::to_string(directions) + ": expected 4, 8, or 0 for none");
+    refuse("directions = " + std::to_string(directions) + ": expected 4, 8, or 0 for none");
   for (const FrictionPoint& point : points) require_valid(bodies, contacts, point);
   list_unknowns(contacts, points, directions);
   const auto size = static_cast<Eigen::Index>(unknowns_.size());
@@ -206,8 +205,8 @@ void FrictionPyramid::assemble(std::span<const MovingBody> bodies,
 
 void FrictionPyramid::pushes(std::span<const double> f, std::vector<Vec3>& push) const {
   if (f.size() != unknowns_.size())
-    require::that(false, "f has " + std::to_string(f.size()) + " entries: give " +
-                             std::to_string(unknowns_.size()));
+    refuse("f has " + std::to_string(f.size()) + " entries: give " +
+           std::to_string(unknowns_.size()));
   push.assign(ranges_.size(), Vec3::Zero());
   for (std::size_t k = 0; k < f.size(); ++k) {
     const Unknown& unknown = unknowns_[k];

@@ -31,8 +31,7 @@ ErrataList::ErrataList(std::span<const ErrataGroup> groups) {
 
 std::size_t ErrataList::place_of(std::string_view id) const {
   const auto found = std::find(ids_.begin(), ids_.end(), id);
-  if (found == ids_.end())
-    require::that(false, "erratum '" + std::string(id) + "': expected " + expected_);
+  if (found == ids_.end()) refuse("erratum '" + std::string(id) + "': expected " + expected_);
   return static_cast<std::size_t>(found - ids_.begin());
 }
 

@@ -95,8 +95,8 @@ void Parameters::set(std::string_view key, std::string_view value) {
   }
   std::vector<std::string_view> keys;
   for (const Parameter& p : items_) keys.push_back(p.key);
-  require::that(false, "unknown setting " + std::string(key) + ": " +
-                           (keys.empty() ? "there are none" : expected_names(key, keys)));
+  refuse("unknown setting " + std::string(key) + ": " +
+         (keys.empty() ? "there are none" : expected_names(key, keys)));
 }
 
 void Parameters::assign(std::string_view setting) {
@@ -114,8 +114,7 @@ const Parameter& Parameters::get(std::string_view key) const {
   for (const Parameter& p : items_) {
     if (p.key == key) return p;
   }
-  require::that(false, "no setting was declared as " + std::string(key));
-  return items_.front();  // not reached
+  refuse("no setting was declared as " + std::string(key));
 }
 
 double Parameters::number(std::string_view key) const {

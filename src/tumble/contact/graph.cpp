@@ -51,9 +51,8 @@ void ContactGraph::store_edges(std::span<const BodyProperties> bodies,
     const bool good = e.supporter >= 0 && e.supporter < count && e.supported >= 0 &&
                       e.supported < count && e.supporter != e.supported;
     if (!good)  // the message costs more than the check
-      require::that(false, "edge " + std::to_string(e.supporter) + " -> " +
-                               std::to_string(e.supported) + ": give two different indices below " +
-                               std::to_string(count));
+      refuse("edge " + std::to_string(e.supporter) + " -> " + std::to_string(e.supported) +
+             ": give two different indices below " + std::to_string(count));
     if (bodies[idx(e.supported)].movable()) ++edge_start_[idx(e.supporter) + 1];
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) edge_start_[b + 1] += edge_start_[b];

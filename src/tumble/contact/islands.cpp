@@ -33,9 +33,8 @@ void sort_by_island(std::span<const int> island, int islands, std::vector<int>& 
 void require_bodies(const IndexPair& contact, int count) {
   const auto in_range = [&](int body) { return body >= 0 && body < count; };
   if (in_range(contact.first) && in_range(contact.second)) return;
-  require::that(false, "contact of bodies " + std::to_string(contact.first) + " and " +
-                           std::to_string(contact.second) + ": give indices below " +
-                           std::to_string(count));
+  refuse("contact of bodies " + std::to_string(contact.first) + " and " +
+         std::to_string(contact.second) + ": give indices below " + std::to_string(count));
 }
 
 void Islands::build(std::span<const BodyProperties> bodies, std::span<const Contact> contacts,
@@ -48,8 +47,8 @@ void Islands::build(std::span<const BodyProperties> bodies, std::span<const Cont
 void Islands::build_from_pairs(std::span<const BodyProperties> bodies,
                                std::span<const IndexPair> contacts, std::span<const char> walls) {
   if (!walls.empty() && walls.size() != bodies.size())
-    require::that(false, "walls: " + std::to_string(walls.size()) + " entries for " +
-                             std::to_string(bodies.size()) + " bodies: give one each, or none");
+    refuse("walls: " + std::to_string(walls.size()) + " entries for " +
+           std::to_string(bodies.size()) + " bodies: give one each, or none");
   const auto movable = [&](std::size_t body) {
     return bodies[body].movable() && (walls.empty() || walls[body] == 0);
   };

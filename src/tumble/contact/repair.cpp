@@ -17,8 +17,8 @@ namespace {
 IndexPair sorted(const IndexPair& pair, int count) {
   const IndexPair result{std::min(pair.first, pair.second), std::max(pair.first, pair.second)};
   if (!(result.first >= 0 && result.first < result.second && result.second < count))
-    require::that(false, "pair " + std::to_string(pair.first) + ", " + std::to_string(pair.second) +
-                             ": give two different indices below " + std::to_string(count));
+    refuse("pair " + std::to_string(pair.first) + ", " + std::to_string(pair.second) +
+           ": give two different indices below " + std::to_string(count));
   return result;
 }
 

@@ -5,6 +5,8 @@
 #include "tumble/base/types.hpp"
 #include "tumble/geometry/box.hpp"
 
+#include <string_view>
+
 namespace tumble {
 
 /// What a body is.
@@ -85,6 +87,30 @@ BodyState make_state(const BodyProperties& body, const Vec3& position_w,
                      const Quat& orientation_wb = Quat::Identity(),
                      const Vec3& velocity_w = Vec3::Zero(),
                      const Vec3& angular_velocity_w = Vec3::Zero());
+
+/// Refuses a place or a motion that a double does not resolve, or that no body has.
+///
+/// Coordinates are at most tolerance::farthest times the shortest edge, and no point of a body is faster than
+/// tolerance::largest_speed.
+/// \param body  a box
+/// \throws std::invalid_argument naming the value, the limit and the remedy
+/// \verified{Values out of the range of a scene are refused with body, value and remedy}
+void require_motion_limits(const BodyProperties& body, const Vec3& position_w,
+                           const Vec3& velocity_w, const Vec3& angular_velocity_w);
+
+/// Refuses properties that contradict each other: any code can fill in the struct, and the rest of the library relies on them.
+/// \throws std::invalid_argument naming the value and the expected one
+void require_valid(const BodyProperties& body);
+
+/// Refuses a state that is not finite, has no orientation, moves an immovable body, or is out of require_motion_limits().
+/// \param name  of the body, for messages about limits
+/// \throws std::invalid_argument naming the value and the expected one
+void require_valid(const BodyProperties& body, const BodyState& state, std::string_view name);
+
+/// Refuses a coefficient of friction or restitution that is none.
+/// \param friction     [-] from 0 to tolerance::largest_friction
+/// \throws std::invalid_argument naming the value, the limit and the remedy
+void require_surface(double friction, double restitution);
 
 /// Velocity of the centre of mass, \f$v = P/m\f$ [m/s], world frame; 0 for an immovable body.
 Vec3 velocity(const BodyProperties& body, const BodyState& state);

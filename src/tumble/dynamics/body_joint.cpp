@@ -76,12 +76,12 @@ void leave_out_joined(const World& world, std::vector<IndexPair>& pairs) {
 void require_joints_held(const Technique& technique, const World& world) {
   if (world.joints().empty() || technique.holds_joints()) return;
   const std::size_t count = world.joints().size();
-  require::that(false, "technique " + std::string(technique.name()) +
-                           " does not support joints, and the scene has " + std::to_string(count) +
-                           ", the first called " + world.joints().front().name +
-                           ": choose glued (--technique glued --set contacts=collide, so that "
-                           "boxes collide), or leave out "
-                           "[[joint]]");
+  refuse("technique " + std::string(technique.name()) +
+         " does not support joints, and the scene has " + std::to_string(count) +
+         ", the first called " + world.joints().front().name +
+         ": choose glued (--technique glued --set contacts=collide, so that "
+         "boxes collide), or leave out "
+         "[[joint]]");
 }
 
 }  // namespace tumble

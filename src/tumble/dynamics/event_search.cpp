@@ -18,9 +18,8 @@ void require_pair(const IndexPair& pair, std::size_t bodies) {
   const bool good =
       0 <= pair.first && pair.first < pair.second && static_cast<std::size_t>(pair.second) < bodies;
   if (good) return;
-  require::that(false, "candidate (" + std::to_string(pair.first) + ", " +
-                           std::to_string(pair.second) + "): expected two indices below " +
-                           std::to_string(bodies) + ", the smaller one first");
+  refuse("candidate (" + std::to_string(pair.first) + ", " + std::to_string(pair.second) +
+         "): expected two indices below " + std::to_string(bodies) + ", the smaller one first");
 }
 
 }  // namespace

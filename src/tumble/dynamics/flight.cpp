@@ -56,8 +56,8 @@ void require_valid(const Flight& flight, double start) {
   }
   for (const double time : flight.valid_times) {
     if (time <= start) continue;
-    require::that(false, "flight.valid_times has " + shortest_text(time) +
-                             ": expected at most start = " + shortest_text(start));
+    refuse("flight.valid_times has " + shortest_text(time) +
+           ": expected at most start = " + shortest_text(start));
   }
   for (const Vec3& acceleration : flight.accelerations_w)
     require::finite(acceleration, "flight.accelerations_w");

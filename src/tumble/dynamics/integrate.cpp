@@ -43,11 +43,10 @@ void fly_in_micro_steps(const BodyProperties& body, BodyState& state, const Vec3
   const double full_steps = std::floor(std::abs(dt) / micro_step);
   // Searches come here often: no message is made unless it is needed.
   if (!(micro_step > 0.0))
-    require::that(false,
-                  "micro_step = " + shortest_text(micro_step) + ": expected a number above 0");
+    refuse("micro_step = " + shortest_text(micro_step) + ": expected a number above 0");
   if (full_steps > most_steps)
-    require::that(false, "micro_step = " + shortest_text(micro_step) +
-                             ": expected at least a millionth of dt = " + shortest_text(dt));
+    refuse("micro_step = " + shortest_text(micro_step) +
+           ": expected at least a millionth of dt = " + shortest_text(dt));
   const double step = dt < 0.0 ? -micro_step : micro_step;
   for (double i = 0.0; i < full_steps; i += 1.0) fly(body, state, gravity_w, step, rule);
   // For an infinite micro_step there was no full one, and 0 times infinity is not a number.

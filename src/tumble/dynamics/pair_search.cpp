@@ -18,13 +18,12 @@ void require_valid(const SearchOptions& options, double start, double end) {
   require::positive(options.resolution, "options.resolution");
   // Messages are made only when they are needed: nothing is allocated in a search that goes well.
   if (start > end)
-    require::that(false, "end = " + shortest_text(end) +
-                             ": expected at least start = " + shortest_text(start));
+    refuse("end = " + shortest_text(end) + ": expected at least start = " + shortest_text(start));
   if (start + options.resolution <= start || end + options.resolution <= end)
-    require::that(false, "options.resolution = " + shortest_text(options.resolution) +
-                             ": expected more than rounding at the times searched");
+    refuse("options.resolution = " + shortest_text(options.resolution) +
+           ": expected more than rounding at the times searched");
   if (options.cap < 2)
-    require::that(false, "options.cap = " + std::to_string(options.cap) + ": expected at least 2");
+    refuse("options.cap = " + std::to_string(options.cap) + ": expected at least 2");
 }
 
 namespace {

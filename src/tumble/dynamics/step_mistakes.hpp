@@ -24,6 +24,12 @@ class StepFault : public std::runtime_error {
 /// \throws StepRefused with the message
 [[noreturn]] void refuse_step(std::string_view message);
 
+/// Refuses the length of a step.
+/// \param dt    [s] from tolerance::shortest_step to longest_step
+/// \param time  [s] when the step begins; has to be resolved to tolerance::step_share of dt
+/// \throws std::invalid_argument naming the value, the limit and the remedy
+void require_step_limits(double dt, double time);
+
 /// Refuses a step that is too long for the resolution of event times.
 /// \param resolution  [s] of event times; has to be above the rounding of times up to dt
 /// \throws std::invalid_argument for a dt that is not finite and above 0; StepRefused naming the resolution

@@ -17,8 +17,8 @@ void Trajectory::record(const Frame& frame) {
 
 Frame Trajectory::frame(int index) const {
   if (index < 0 || index >= count())
-    require::that(false, "frame " + std::to_string(index) + ": there are " +
-                             std::to_string(count()) + ", counted from 0");
+    refuse("frame " + std::to_string(index) + ": there are " + std::to_string(count()) +
+           ", counted from 0");
   const Entry& entry = frames_[static_cast<std::size_t>(index)];
   return Frame{entry.time, entry.step, std::span(ids_).subspan(entry.first, entry.count),
                std::span(states_).subspan(entry.first, entry.count)};

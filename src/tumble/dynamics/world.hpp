@@ -219,6 +219,10 @@ class BodyView {
 /// \param pairs  by index, in and out, in the same order
 void leave_out_joined(const World& world, std::vector<IndexPair>& pairs);
 
+/// Refuses a gravity that would make a body faster than tolerance::largest_speed within a second.
+/// \throws std::invalid_argument naming the value, the limit and the remedy
+void require_gravity(const Vec3& gravity_w);
+
 /// Whether all states are finite; after a step that failed they may not be.
 /// \return false if a position, an orientation or a momentum is infinite or NaN
 [[nodiscard]] bool all_finite(const World& world);

@@ -57,11 +57,10 @@ double BoxFilter::response(int frames, double frequency) {
 // [S5.5:live]
 void BoxFilter::take(const Frame& frame, const FrameSink& show) {
   if (broken_)
-    require::that(false, where(frame) +
-                             ": a box filter needs frames at equal times, and the one before it "
-                             "did not come after " +
-                             shortest_text(interval_) +
-                             " s like the others. Keep the step constant");
+    refuse(where(frame) +
+           ": a box filter needs frames at equal times, and the one before it "
+           "did not come after " +
+           shortest_text(interval_) + " s like the others. Keep the step constant");
   const double interval = kept_.empty() ? 0.0 : frame.time - kept_.back().time;
   if (kept_.size() == 1) interval_ = interval;
   broken_ = std::abs(interval - interval_) > tolerance::equal_spacing * interval_;

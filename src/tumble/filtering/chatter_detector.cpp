@@ -36,11 +36,11 @@ ChatterDetector::ChatterDetector(const ChatterDetectorOptions& options)
 void ChatterDetector::add(const World& world, std::span<const char> in_contact) {
   // Messages are built only when needed: this is called in every step.
   if (in_contact.size() != world.states().size())
-    require::that(false, "in_contact has " + std::to_string(in_contact.size()) +
-                             " bodies, the world " + std::to_string(world.count()));
+    refuse("in_contact has " + std::to_string(in_contact.size()) + " bodies, the world " +
+           std::to_string(world.count()));
   const double now = world.time();
   if (frames_.begun() && !(now >= frames_.now()))
-    require::that(false, "the world's time " + shortest_text(now) + " s is before the last one");
+    refuse("the world's time " + shortest_text(now) + " s is before the last one");
   frames_.advance(now);
   forget_removed(world, tracks_);
   const auto frames = static_cast<std::size_t>(options_.window + 1);

@@ -11,7 +11,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <vector>
 
@@ -46,8 +45,7 @@ struct Request {
   std::vector<std::string_view> numbers;
 
   [[noreturn]] void refuse(const std::string& why) const {
-    require::that(false, "filter " + text + ": " + why + ": expected " + std::string(form));
-    std::abort();
+    tumble::refuse("filter " + text + ": " + why + ": expected " + std::string(form));
   }
 
   [[nodiscard]] double number(std::size_t place, std::span<const Unit> units) const {
@@ -105,8 +103,8 @@ std::unique_ptr<PoseFilter> filter_of(std::string_view text) {
     if (recipe.name == name) request.form = recipe.form;
   }
   if (request.form.empty())
-    require::that(false, "filter " + std::string(text) + ": there is none called " + quoted(name) +
-                             ": " + expected_names(name, names));
+    refuse("filter " + std::string(text) + ": there is none called " + quoted(name) + ": " +
+           expected_names(name, names));
   if (colon != std::string_view::npos) {
     std::string_view rest = text.substr(colon + 1);
     for (;;) {

@@ -26,21 +26,20 @@ std::string PoseFilter::where(const Frame& frame) const {
 void PoseFilter::add(const Frame& frame, const FrameSink& show) {
   require::finite(frame.time, "time of a frame");
   if (taken_ > 0 && !(frame.time > last_time_))
-    require::that(false, where(frame) + ": expected a time after " + shortest_text(last_time_) +
-                             " s, that of the frame before");
+    refuse(where(frame) + ": expected a time after " + shortest_text(last_time_) +
+           " s, that of the frame before");
   if (frame.ids.size() != frame.states.size())
-    require::that(false, where(frame) + ": " + std::to_string(frame.ids.size()) + " ids and " +
-                             std::to_string(frame.states.size()) + " states: expected as many");
+    refuse(where(frame) + ": " + std::to_string(frame.ids.size()) + " ids and " +
+           std::to_string(frame.states.size()) + " states: expected as many");
   for (std::size_t k = 0; k < frame.states.size(); ++k) {
     const auto body = [&] {
       return where(frame) + ", body with id " + std::to_string(number_of(frame.ids[k]));
     };
-    if (k > 0 && !(frame.ids[k - 1] < frame.ids[k]))
-      require::that(false, body() + ": expected ids that ascend");
+    if (k > 0 && !(frame.ids[k - 1] < frame.ids[k])) refuse(body() + ": expected ids that ascend");
     if (!in_order(frame.states[k]))
-      require::that(false, body() +
-                               ": its position is not finite, or its orientation not of length 1. "
-                               "Filter the frames before it");
+      refuse(body() +
+             ": its position is not finite, or its orientation not of length 1. "
+             "Filter the frames before it");
   }
   take(frame, show);
   ++taken_;

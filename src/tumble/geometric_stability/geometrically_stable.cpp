@@ -25,11 +25,11 @@ void GeometricStability::run(const World& world, std::span<const Contact> contac
                              std::span<const Outline> outlines, std::span<const char> moving) {
   const std::span<const BodyProperties> objects = world.bodies();
   if (!outlines.empty() && outlines.size() != objects.size())
-    require::that(false, "outlines: " + std::to_string(outlines.size()) + " for " +
-                             std::to_string(objects.size()) + " bodies: give one each, or none");
+    refuse("outlines: " + std::to_string(outlines.size()) + " for " +
+           std::to_string(objects.size()) + " bodies: give one each, or none");
   if (!moving.empty() && moving.size() != objects.size())
-    require::that(false, "moving: " + std::to_string(moving.size()) + " for " +
-                             std::to_string(objects.size()) + " bodies: give one each, or none");
+    refuse("moving: " + std::to_string(moving.size()) + " for " + std::to_string(objects.size()) +
+           " bodies: give one each, or none");
   outlines_.assign(outlines.begin(), outlines.end());
   rule_ = rule;
   // [SETGEOMETRICALLYSTABLE:1-5]

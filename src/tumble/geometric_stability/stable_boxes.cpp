@@ -31,8 +31,8 @@ constexpr char hold(Hold how) { return static_cast<char>(how); }
 std::span<const char> StableBoxes::find(const World& world, std::span<const MovingBody> bodies,
                                         std::span<const Contact> contacts) {
   if (bodies.size() != world.bodies().size())
-    require::that(false, "bodies: " + std::to_string(bodies.size()) + " entries; " +
-                             std::to_string(world.bodies().size()) + " are needed");
+    refuse("bodies: " + std::to_string(bodies.size()) + " entries; " +
+           std::to_string(world.bodies().size()) + " are needed");
   for (const Contact& contact : contacts)
     require_bodies({contact.first, contact.second}, world.count());
   find_motion(world, bodies, contacts);

@@ -81,7 +81,7 @@ void BoundingTree::update(std::span<const Bounds> bounds) {
     leaf = new_node();
     at(leaf).bounds = widened(now, tolerance::tree_margin);
     at(leaf).body = static_cast<int>(body);
-    insert(leaf);
+    insert_leaf(leaf);
     new_leaves_.push_back(static_cast<int>(body));
   }
 }
@@ -159,7 +159,7 @@ void BoundingTree::remember(int a, int b) {
   near_.push_back(a < b ? IndexPair{a, b} : IndexPair{b, a});
 }
 
-void BoundingTree::insert(int leaf) {
+void BoundingTree::insert_leaf(int leaf) {
   if (root_ == kNone) {
     root_ = leaf;
     at(leaf).parent = kNone;

@@ -54,7 +54,7 @@ class BoundingTree final : public Cloned<BroadPhase, BoundingTree> {
   void pair_new_leaf(int body);
   void remember(int a, int b);
 
-  void insert(int leaf);
+  void insert_leaf(int leaf);
   void remove(int leaf);
   [[nodiscard]] int best_sibling(const Bounds& bounds) const;
   void refit_upwards(int node);

@@ -53,9 +53,8 @@ class AllPairs final : public Cloned<BroadPhase, AllPairs> {
 void BroadPhase::find_pairs(std::span<const Bounds> bounds, std::vector<IndexPair>& out) {
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     if (sound(bounds[i])) continue;
-    require::that(false, "bounds[" + std::to_string(i) + "] from (" + text(bounds[i].low) +
-                             ") to (" + text(bounds[i].high) +
-                             "): give low <= high in every coordinate, and no NaN");
+    refuse("bounds[" + std::to_string(i) + "] from (" + text(bounds[i].low) + ") to (" +
+           text(bounds[i].high) + "): give low <= high in every coordinate, and no NaN");
   }
   pair_tests_ = 0;
   out.clear();
@@ -72,7 +71,7 @@ std::unique_ptr<BroadPhase> make_broad_phase(std::string_view name) {
   if (name == kNames[5]) return std::make_unique<Octree>();
   std::string known;
   for (const std::string_view one : kNames) known.append(known.empty() ? "" : ", ").append(one);
-  require::that(false, "broad phase '" + std::string(name) + "': give one of " + known);
+  refuse("broad phase '" + std::string(name) + "': give one of " + known);
   return nullptr;
 }
 

@@ -216,8 +216,8 @@ bool find_points(const BoxPair& pair, const Separation& found, double margin, Ma
 void check(double margin, AxisIndex axis, AxisIndex least, std::string_view name) {
   require::not_negative(margin, "margin");
   if (axis < least || axis > 14)
-    require::that(false, std::string(name) + " = " + std::to_string(axis) +
-                             ": expected an axis from " + std::to_string(least) + " to 14");
+    refuse(std::string(name) + " = " + std::to_string(axis) + ": expected an axis from " +
+           std::to_string(least) + " to 14");
 }
 
 }  // namespace

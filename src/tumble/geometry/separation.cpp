@@ -26,12 +26,12 @@ struct Candidate {
 inline Lanes faces_of_first(const BoxPair& s) {
   const std::array<double, 3> reach_second{(s.b * s.abs_c[0]).sum(), (s.b * s.abs_c[1]).sum(),
                                            (s.b * s.abs_c[2]).sum()};
-  return abs(s.d_first) - (s.a + Lanes::of(reach_second.data()));
+  return s.d_first.abs() - (s.a + Lanes::of(reach_second.data()));
 }
 
 // s(B_0), s(B_1), s(B_2)
 inline Lanes faces_of_second(const BoxPair& s) {
-  return abs(s.d_second) -
+  return s.d_second.abs() -
          (s.b + (s.a[0] * s.abs_c[0] + s.a[1] * s.abs_c[1] + s.a[2] * s.abs_c[2]));
 }
 
@@ -46,6 +46,13 @@ struct EdgeAxis {
 // x |x| grows with x like x itself: comparing these compares separations without a square root.
 inline double signed_square(double x) { return x * std::abs(x); }
 
+// Which lanes are above those of another: bit 0 for the first lane, bit 1 and bit 2 for the others.
+inline unsigned above(const Lanes& p, const Lanes& q) {
+  const Lanes::Bits bits = (Lanes::Bits(p.xy > q.xy) & Lanes::Bits{1, 2}) |
+                           (Lanes::Bits(p.z_ > q.z_) & Lanes::Bits{4, 0});
+  return static_cast<unsigned>(bits[0] | bits[1]);
+}
+
 // Which of the three A_i x B_j may have a separation above the bar, bit by bit for j. That C is a
 // rotation makes the second box reach along n by |B_p.n| = |c_iq| and |B_q.n| = |c_ip|, for j, p, q
 // in cyclic order. This is quick but, for almost parallel edges, only good to rounding.
@@ -53,10 +60,10 @@ inline unsigned may_beat(const BoxPair& s, std::size_t i, double bar, double rou
   const std::size_t k = kCycle[i + 1], l = kCycle[i + 2];
   const Lanes reach_first = s.a[k] * s.abs_c[l] + s.a[l] * s.abs_c[k];
   const Lanes reach_second = s.b.next() * s.abs_c[i].after() + s.b.after() * s.abs_c[i].next();
-  const Lanes gap =
-      abs(s.d_first[l] * s.c[k] - s.d_first[k] * s.c[l]) - (reach_first + reach_second) + rounding;
+  const Lanes gap = (s.d_first[l] * s.c[k] - s.d_first[k] * s.c[l]).abs() -
+                    (reach_first + reach_second) + rounding;
   const Lanes length2 = s.c[k] * s.c[k] + s.c[l] * s.c[l];
-  return above(gap * abs(gap), signed_square(bar) * length2);
+  return above(gap * gap.abs(), signed_square(bar) * length2);
 }
 
 // An edge axis with care: B_p.n and B_q.n come from the components of n itself. Rounding then is
@@ -170,7 +177,7 @@ BoxPair::BoxPair(const Box& one, const Box& other)
   d_second = d[0] * second_x + d[1] * second_y + d[2] * second_z;
   for (std::size_t i = 0; i < 3; ++i) {
     c[i] = axes[3 * i] * second_x + axes[3 * i + 1] * second_y + axes[3 * i + 2] * second_z;
-    abs_c[i] = abs(c[i]);
+    abs_c[i] = c[i].abs();
   }
   a = Lanes::of(one.half.data());
   b = Lanes::of(other.half.data());
@@ -212,10 +219,9 @@ Separation separation(const BoxPair& pair, const SeparationOptions& options) {
 
 Separation separation(const Box& first, const Box& second, const SeparationOptions& options) {
   if (options.remembered < kNoAxis || options.remembered > 14)
-    require::that(false, "remembered = " + std::to_string(options.remembered) +
-                             ": expected kNoAxis or an axis from 0 to 14");
-  if (std::isnan(options.enough))
-    require::that(false, "enough = nan: expected a distance or infinity");
+    refuse("remembered = " + std::to_string(options.remembered) +
+           ": expected kNoAxis or an axis from 0 to 14");
+  if (std::isnan(options.enough)) refuse("enough = nan: expected a distance or infinity");
   return separation(BoxPair(first, second), options);
 }
 

@@ -48,6 +48,12 @@ struct Lanes {
 
   /// Their sum: (x + y) + z.
   [[nodiscard]] double sum() const { return xy[0] + xy[1] + z_[0]; }
+
+  /// Their absolute values: the sign bits are taken away.
+  [[nodiscard]] Lanes abs() const {
+    constexpr std::int64_t kAllButSign = 0x7fffffffffffffff;
+    return {Two(Bits(xy) & kAllButSign), Two(Bits(z_) & kAllButSign)};
+  }
 };
 
 /// Adds lane by lane: p + q.
@@ -64,19 +70,6 @@ inline Lanes operator*(double s, const Lanes& p) { return {s * p.xy, s * p.z_}; 
 
 /// Adds one number to all lanes: p + s.
 inline Lanes operator+(const Lanes& p, double s) { return {p.xy + s, p.z_ + s}; }
-
-/// Takes the sign bits away: |p|.
-inline Lanes abs(const Lanes& p) {
-  constexpr std::int64_t kAllButSign = 0x7fffffffffffffff;
-  return {Lanes::Two(Lanes::Bits(p.xy) & kAllButSign), Lanes::Two(Lanes::Bits(p.z_) & kAllButSign)};
-}
-
-/// Which lanes are above those of another: bit 0 for the first lane, bit 1 and bit 2 for the others.
-inline unsigned above(const Lanes& p, const Lanes& q) {
-  const Lanes::Bits bits = (Lanes::Bits(p.xy > q.xy) & Lanes::Bits{1, 2}) |
-                           (Lanes::Bits(p.z_ > q.z_) & Lanes::Bits{4, 0});
-  return static_cast<unsigned>(bits[0] | bits[1]);
-}
 
 /// x, y, z again after x, y, z: the axes after axis i are kCycle[i + 1] and kCycle[i + 2].
 inline constexpr std::array<std::size_t, 5> kCycle{0, 1, 2, 0, 1};
@@ -102,7 +95,7 @@ struct BoxPair {
 
   /// How far a separation may be off by rounding [m]: tolerance::separation_rounding of all lengths in it.
   [[nodiscard]] double rounding() const {
-    return tolerance::separation_rounding * (a.sum() + b.sum() + abs(d_first).sum());
+    return tolerance::separation_rounding * (a.sum() + b.sum() + d_first.abs().sum());
   }
 };
 

@@ -21,10 +21,9 @@ void EnumerationSolver::solve(const LcpProblem& problem, LcpResult& result,
   TwinProblem twins;
   twins.assign(scaled.problem());
   if (twins.size() > enumeration_limit)
-    require::that(false, "n = " + std::to_string(problem.size()) + " with " +
-                             std::to_string(twins.size() - problem.size()) +
-                             " equalities: give at most " + std::to_string(enumeration_limit) +
-                             " rows and equalities together to try all cases");
+    refuse("n = " + std::to_string(problem.size()) + " with " +
+           std::to_string(twins.size() - problem.size()) + " equalities: give at most " +
+           std::to_string(enumeration_limit) + " rows and equalities together to try all cases");
   const ComplementarityResult answer = solve_by_enumeration(twins.A(), twins.b());
   std::vector<double> f;
   twins.forces(answer.f, f);

@@ -35,13 +35,11 @@ void require_sizes(const LcpProblem& problem) {
   const auto n = problem.b.size();
   const std::string rows = std::to_string(n);
   if (problem.A.rows() != n || problem.A.cols() != n)
-    require::that(false, "A is " + std::to_string(problem.A.rows()) + " by " +
-                             std::to_string(problem.A.cols()) + ": b has " + rows +
-                             " entries, give " + rows + " by " + rows);
+    refuse("A is " + std::to_string(problem.A.rows()) + " by " + std::to_string(problem.A.cols()) +
+           ": b has " + rows + " entries, give " + rows + " by " + rows);
   const std::size_t flags = problem.equality.size();
   if (flags != 0 && flags != static_cast<std::size_t>(n))
-    require::that(false,
-                  "equality has " + std::to_string(flags) + " entries: give none or " + rows);
+    refuse("equality has " + std::to_string(flags) + " entries: give none or " + rows);
 }
 
 // The name of a number is only put together once it is known to be wrong.
@@ -60,8 +58,8 @@ void require_symmetric(const MatX& A) {
       if (A(i, j) == A(j, i)) continue;
       const double scale = std::sqrt(std::abs(A(i, i))) * std::sqrt(std::abs(A(j, j)));
       if (std::abs(A(i, j) - A(j, i)) <= tolerance::symmetry * scale) continue;
-      require::that(false, entry(i, j) + " = " + shortest_text(A(i, j)) + " but " + entry(j, i) +
-                               " = " + shortest_text(A(j, i)) + ": give a symmetric matrix");
+      refuse(entry(i, j) + " = " + shortest_text(A(i, j)) + " but " + entry(j, i) + " = " +
+             shortest_text(A(j, i)) + ": give a symmetric matrix");
     }
 }
 
@@ -112,16 +110,14 @@ std::string_view name_of(LcpStatus status) {
     case LcpStatus::least_violation: return "least_violation";
     case LcpStatus::ray: return "ray";
   }
-  require::that(false,
-                "status = " + std::to_string(static_cast<int>(status)) + ": give one of LcpStatus");
-  return {};  // not reached
+  refuse("status = " + std::to_string(static_cast<int>(status)) + ": give one of LcpStatus");
 }
 
 double lcp_residual(const LcpProblem& problem, std::span<const double> f) {
   require_sizes(problem);
   if (f.size() != idx(problem.size()))
-    require::that(false, "f has " + std::to_string(f.size()) + " entries: give " +
-                             std::to_string(problem.size()));
+    refuse("f has " + std::to_string(f.size()) + " entries: give " +
+           std::to_string(problem.size()));
   std::vector<double> a;
   accelerations(problem, f, a);
   return residual_of(problem, f, a);
@@ -138,11 +134,11 @@ void require_valid_start(int size, std::span<const int> start) {
   for (std::size_t k = 0; k < start.size(); ++k) {
     const int row = start[k];
     if (row < 0 || row >= size)
-      require::that(false, "start[" + std::to_string(k) + "] = " + std::to_string(row) +
-                               ": give a row from 0 to " + std::to_string(size - 1));
+      refuse("start[" + std::to_string(k) + "] = " + std::to_string(row) +
+             ": give a row from 0 to " + std::to_string(size - 1));
     const auto before = start.begin() + static_cast<std::ptrdiff_t>(k);
     if (std::find(start.begin(), before, row) != before)
-      require::that(false, "start has row " + std::to_string(row) + " twice: give it once");
+      refuse("start has row " + std::to_string(row) + " twice: give it once");
   }
 }
 
@@ -189,8 +185,7 @@ std::unique_ptr<LcpSolver> make_lcp_solver(std::string_view name) {
     if (recipe.name == name) return std::make_unique<SafeguardedSolver>(recipe.make());
     names.push_back(recipe.name);
   }
-  require::that(false, "unknown solver " + std::string(name) + ": " + expected_names(name, names));
-  return nullptr;  // not reached
+  refuse("unknown solver " + std::string(name) + ": " + expected_names(name, names));
 }
 
 }  // namespace tumble

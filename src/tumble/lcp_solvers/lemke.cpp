@@ -15,7 +15,7 @@ namespace tumble {
 
 LemkeSolver::LemkeSolver(const LemkeOptions& options) : options_(options) {
   if (options.pivot_cap < 0)
-    require::that(false, "pivot_cap = " + std::to_string(options.pivot_cap) + ": give at least 0");
+    refuse("pivot_cap = " + std::to_string(options.pivot_cap) + ": give at least 0");
   require::not_negative(options.slack, "slack");
 }
 

@@ -56,17 +56,16 @@ Vec6 MassRoots::acceleration(int body, const Vec6& z) const {
 void require_factors_fit(const LcpProblem& problem) {
   const std::size_t rows = problem.factors.rows.size();
   if (rows != idx(problem.size()))
-    require::that(false, "factors have " + std::to_string(rows) + " rows: give none or " +
-                             std::to_string(problem.size()));
+    refuse("factors have " + std::to_string(rows) + " rows: give none or " +
+           std::to_string(problem.size()));
   require_valid(problem.factors);
 }
 
 void require_diagonal(const LcpProblem& problem, int row, double product) {
   const double A_ii = problem.A(row, row);
   if (std::abs(product - A_ii) <= tolerance::symmetry * std::max(product, std::abs(A_ii))) return;
-  require::that(false, "row " + std::to_string(row) + " of the factors makes " +
-                           shortest_text(product) + " of A_ii = " + shortest_text(A_ii) +
-                           ": give the factors of A");
+  refuse("row " + std::to_string(row) + " of the factors makes " + shortest_text(product) +
+         " of A_ii = " + shortest_text(A_ii) + ": give the factors of A");
 }
 
 }  // namespace tumble

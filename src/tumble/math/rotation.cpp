@@ -54,8 +54,8 @@ Mat3 skew(const Vec3& a) {
 Quat normalised(const Quat& q) {
   const double square = q.squaredNorm();
   if (!usable(square)) {  // the message is built only when it is needed
-    require::that(false, "q: |q|² = " + shortest_text(square) +
-                             ": expected a quaternion of a length from 1e-150 to 1e150");
+    refuse("q: |q|² = " + shortest_text(square) +
+           ": expected a quaternion of a length from 1e-150 to 1e150");
   }
   const double length = std::sqrt(square);
   return Quat(q.w() / length, q.x() / length, q.y() / length, q.z() / length);
@@ -66,7 +66,7 @@ Quat rotation_from_vector(const Vec3& rotation_w) {
   const double square = rotation_w.squaredNorm();
   if (!(square <= 1.0 / tolerance::smallest_square)) {
     require::finite(rotation_w, "rotation_w");
-    require::that(false, "rotation_w: expected a length up to 1e150");
+    refuse("rotation_w: expected a length up to 1e150");
   }
   const double half_angle = 0.5 * std::sqrt(square);
   const Vec3 v = (0.5 * elementary::sinc(half_angle)) * rotation_w;

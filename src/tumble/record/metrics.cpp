@@ -28,7 +28,7 @@ void MetricsMeter::on_step(const World& world, const StepReport& report) {
 }
 
 Metrics MetricsMeter::begin(const World& world) {
-  start_energy_ = energy_of(world).total();
+  start_energy_.reset();
   return measure_now(world);
 }
 
@@ -47,7 +47,8 @@ Metrics MetricsMeter::measure_now(const World& world) {
   m.kinetic = energy.kinetic;
   m.potential = energy.potential;
   m.booked = booked_;
-  m.energy_error = energy.total() - start_energy_ - booked_.total();
+  if (!start_energy_) start_energy_ = energy.total();
+  m.energy_error = energy.total() - *start_energy_ - booked_.total();
   m.momentum_w = linear_momentum(world);
   m.angular_momentum_w = angular_momentum(world);
   double scale = 0.0;  // [J] Σ m g L

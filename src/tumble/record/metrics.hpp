@@ -6,6 +6,7 @@
 #include "tumble/record/chatter.hpp"
 #include "tumble/record/overlap.hpp"
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -46,7 +47,9 @@ class MetricsMeter : public Observer {
 
   /// Leaves a change of energy out of the technique's error: bodies were added, removed or changed between steps.
   /// \param energy_added [J] by how much the total energy changed
-  void allow(double energy_added) { start_energy_ += energy_added; }
+  void allow(double energy_added) {
+    if (start_energy_) *start_energy_ += energy_added;
+  }
 
   /// Measures after a step; for a world that is not finite the energies alone.
   Metrics measure(const World& world, const StepReport& report);
@@ -57,7 +60,7 @@ class MetricsMeter : public Observer {
   OverlapMeter overlap_;
   ChatterMeter chatter_;
   BookedEnergy booked_;
-  double start_energy_ = 0.0;
+  std::optional<double> start_energy_;  // [J] once begun
   Metrics metrics_;
 };
 

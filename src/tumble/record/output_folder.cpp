@@ -65,9 +65,9 @@ void OutputFolder::lock(std::string_view kind) {
     throw CannotWrite("tumble: cannot write " + mark.string() + ": " + std::strerror(errno));
   if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
     close(lock_);
-    require::that(false, path_.string() +
-                             " is being written by another tumble: wait for its end, or give "
-                             "another folder with --out");
+    refuse(path_.string() +
+           " is being written by another tumble: wait for its end, or give "
+           "another folder with --out");
   }
   const std::string text = std::string(kind) + "\n";
   if (ftruncate(lock_, 0) != 0 || write(lock_, text.data(), text.size()) < 0) {

@@ -121,9 +121,9 @@ RecordedRun read_run(const std::filesystem::path& folder, std::string_view table
   }
   std::ifstream in(path);
   if (table == kFilteredFile && !in.is_open() && std::ifstream(folder / kTrajectoryFile).is_open())
-    require::that(false, path.string() +
-                             ": there is none: run the scene with --filter, for example "
-                             "--filter box:5");
+    refuse(path.string() +
+           ": there is none: run the scene with --filter, for example "
+           "--filter box:5");
   require::that(
       in.is_open(),
       path.string() + ": cannot be read: give the folder of a run, such as runs/stack-damped");

@@ -148,7 +148,7 @@ std::string try_step(Simulation& simulation, double dt, StepReport& report) {
 
 }  // namespace
 
-void require_valid(const RunSettings& settings) {
+void require_run_settings(const RunSettings& settings) {
   require_time_step(settings.dt);
   require::not_negative(settings.duration, "duration");
   require::that(settings.every >= 1,
@@ -216,7 +216,7 @@ RunResult run_simulation(Simulation& simulation, const RunSettings& settings,
 
 RunResult run_scene(const Scene& scene, Technique& technique, const RunSettings& settings,
                     std::span<RunObserver* const> observers, const std::function<bool()>& stop) {
-  require_valid(settings);
+  require_run_settings(settings);
   Simulation simulation(scene, technique);
   return run_simulation(simulation, settings, observers, stop);
 }

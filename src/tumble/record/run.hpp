@@ -25,7 +25,7 @@ struct RunSettings {
 /// Checks settings.
 /// \throws std::invalid_argument naming the value: dt as require_time_step() refuses it, duration below 0, every below 1,
 ///         10^12 steps or more
-void require_valid(const RunSettings& settings);
+void require_run_settings(const RunSettings& settings);
 
 /// How a run ended.
 enum class RunEnd : std::uint8_t {
@@ -87,7 +87,7 @@ class RunObserver {
 /// StepStatus::energy_gained, and the run goes on. It ends after a step that is unsolved or not finite, and at one that
 /// breaks off or, after the first, is refused.
 /// \param simulation  no step done yet
-/// \param settings    step, duration; valid, see require_valid()
+/// \param settings    step, duration; valid, see require_run_settings()
 /// \param observers   called in this order
 /// \param stop        called before every step; true ends the run as interrupted
 /// \throws StepRefused if the technique refuses the first step

@@ -39,7 +39,7 @@ SceneSampler::SceneSampler(Scene scene, std::unique_ptr<Technique> technique,
       settings_(settings),
       noise_(noise) {
   require::that(technique_ != nullptr, "technique is null: expected one");
-  require_valid(settings_);
+  require_run_settings(settings_);
   require_valid(noise_);
   require::that(!scene_.wishes.empty(),
                 "the scene has no wish: add a table [[wish]] with kind and body to its file");

@@ -50,8 +50,8 @@ void FilteredTrajectoryFile::write(const World& world) {
   try {
     for (std::size_t k = 0; k < moves.size(); ++k)  // poses are the filter's to look at
       if (!moves[k].velocity_w.allFinite() || !moves[k].angular_velocity_w.allFinite())
-        require::that(false, "frame at " + shortest_text(world.time()) + " s, body " +
-                                 world.name(static_cast<int>(k)) + ": its velocity is not finite");
+        refuse("frame at " + shortest_text(world.time()) + " s, body " +
+               world.name(static_cast<int>(k)) + ": its velocity is not finite");
     filter_->add(frame_of(world), [this](const Frame& frame) { show(frame); });
   } catch (const std::invalid_argument& error) {
     refusal_ = error.what();

@@ -14,12 +14,6 @@ namespace {
 
 constexpr double kHalfTurn = 180.0;  // [degrees]
 
-std::string bracketed(const Vec3& v) {
-  std::string out = "[";
-  out.append(shortest_text(v.x())).append(", ").append(shortest_text(v.y())).append(", ");
-  return out.append(shortest_text(v.z())).append("]");
-}
-
 // One wish of a scene, with its place for messages.
 struct PlacedWish {
   int place = 0;
@@ -55,8 +49,8 @@ void check_numbers(const PlacedWish& placed) {
   if (!w.low_w.allFinite()) placed.refuse("low", ": expected finite numbers");
   if (!w.high_w.allFinite()) placed.refuse("high", ": expected finite numbers");
   if ((w.high_w - w.low_w).minCoeff() < 0.0)
-    placed.refuse("high", " = " + bracketed(w.high_w) + ": the region is empty, since low = " +
-                              bracketed(w.low_w) + ": expected no number below that of low");
+    placed.refuse("high", " = " + vector_text(w.high_w) + ": the region is empty, since low = " +
+                              vector_text(w.low_w) + ": expected no number below that of low");
 }
 
 // What one wish asks of one box.
@@ -66,7 +60,7 @@ void check_box(const PlacedWish& placed, const SceneBox& box, bool ground) {
     placed.refuse("body", " = " + box.name + ": it is fixed and never moves: give it a mass");
   const double lowest = 0.5 * box.size.minCoeff();
   if (w.kind == WishKind::ends_in && ground && !box.fixed && w.high_w.y() < lowest)
-    placed.refuse("high", " = " + bracketed(w.high_w) + ": above the ground the centre of " +
+    placed.refuse("high", " = " + vector_text(w.high_w) + ": above the ground the centre of " +
                               box.name + " is never lower than " + shortest_text(lowest) +
                               " m: expected more for y");
 }

@@ -33,8 +33,7 @@ const SceneRecipe& scene_recipe(std::string_view name) {
     if (recipe.name == name) return recipe;
     names.push_back(recipe.name);
   }
-  require::that(false, "unknown scene " + std::string(name) + ": " + expected_names(name, names));
-  return scene_library().front();  // not reached
+  refuse("unknown scene " + std::string(name) + ": " + expected_names(name, names));
 }
 
 Scene make_scene(std::string_view name, const std::vector<std::string>& settings,

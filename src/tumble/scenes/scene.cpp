@@ -6,7 +6,6 @@
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/mass_range.hpp"
-#include "tumble/dynamics/motion_limits.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/geometry/separation.hpp"
 #include "tumble/scenes/scene_joint.hpp"
@@ -17,18 +16,16 @@
 namespace tumble {
 namespace {
 
-std::string text_of(const Vec3& v) {
-  std::string out = "[";
-  out.append(shortest_text(v.x())).append(", ").append(shortest_text(v.y())).append(", ");
-  return out.append(shortest_text(v.z())).append("]");
-}
-
 void refuse_overlap(const Scene& scene, int box, const std::string& other, double depth,
                     double allowed) {
   if (depth <= allowed) return;
   const SceneBox& b = scene.boxes[static_cast<std::size_t>(box)];
   std::string message = " = ";
-  message.append(text_of(b.position_w)).append(": ").append(b.name).append(" and ").append(other);
+  message.append(vector_text(b.position_w))
+      .append(": ")
+      .append(b.name)
+      .append(" and ")
+      .append(other);
   message.append(" overlap by ").append(shortest_text(depth)).append(" m at the start: ");
   message.append("move them apart, up to ").append(shortest_text(allowed));
   throw SceneMistake(box, "position", message.append(" m is accepted"));
@@ -42,11 +39,13 @@ void refuse_overlaps(const Scene& scene, const World& world) {
   std::vector<int> present;  // places of the boxes that are there at the start
   std::vector<Box> shapes;
   std::vector<Bounds> bounds;
+  auto body = static_cast<std::size_t>(scene.ground ? 1 : 0);
   for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
     const SceneBox& box = scene.boxes[i];
     if (box.appears > 0.0) continue;
     present.push_back(static_cast<int>(i));
-    shapes.push_back(make_box(box.position_w, box.orientation_wb, box.size));
+    shapes.push_back(box_of(world.bodies()[body], world.states()[body]));
+    ++body;
     bounds.push_back(bounds_of(shapes.back()));
     const double lowest = box.position_w.y() - reach(shapes.back(), Vec3::UnitY());
     if (scene.ground && !box.fixed && !joined(box.name, "ground"))
@@ -113,8 +112,8 @@ World start_world(Scene& scene) {
   if (scene.boxes.empty()) throw SceneMistake(-1, "box", ": a scene needs at least one");
   World world;
   try {
-    require_gravity(scene.gravity_w);
     if (scene.ground) world.add_ground(scene.ground->friction, scene.ground->restitution);
+    require_gravity(scene.gravity_w);
   } catch (const std::invalid_argument& error) {
     throw SceneMistake(-1, "", std::string(message_of(error)));
   }
@@ -127,12 +126,11 @@ World start_world(Scene& scene) {
   for (std::size_t i = 0; i < scene.boxes.size(); ++i) {
     const SceneBox& box = scene.boxes[i];
     try {
+      const BodyProperties body = properties_of(box);
       require::not_negative(box.appears, "appears");
       if (!(box.disappears > box.appears))
-        require::that(false, "disappears = " + shortest_text(box.disappears) +
-                                 ": expected later than " + shortest_text(box.appears) +
-                                 " s, when it appears");
-      const BodyProperties body = properties_of(box);
+        refuse("disappears = " + shortest_text(box.disappears) + ": expected later than " +
+               shortest_text(box.appears) + " s, when it appears");
       const BodyState state = state_of(box, body);
       masses.add(body, box.name);
       if (!(box.appears > 0.0)) world.add(body, state, box.name);

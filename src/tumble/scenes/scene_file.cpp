@@ -268,7 +268,8 @@ Scene parse_scene(std::string_view text, std::string_view file) {
 
 Scene read_scene(const std::filesystem::path& path) {
   constexpr std::size_t most_mib = 64;
-  return parse_scene(read_text(path, "a scene file, *.toml", most_mib), path.string());
+  const std::string text = read_text(path, "a scene file, *.toml", most_mib);
+  return parse_scene(text, path.string());
 }
 
 }  // namespace tumble

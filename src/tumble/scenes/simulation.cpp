@@ -4,7 +4,7 @@
 
 #include "tumble/base/error.hpp"
 #include "tumble/dynamics/energy.hpp"
-#include "tumble/dynamics/motion_limits.hpp"
+#include "tumble/dynamics/step_mistakes.hpp"
 
 #include <algorithm>
 #include <utility>

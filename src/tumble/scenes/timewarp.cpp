@@ -23,8 +23,8 @@ double take_part(std::string_view& text, char end, const std::string& all) {
   const std::string_view part = text.substr(0, text.find(end));
   const std::optional<double> value = parse_number(part);
   if (!value || !(std::abs(*value) <= 1e6))
-    require::that(false, "boxes = " + all + ": '" + std::string(part) +
-                             "' is no number; expected x:v, as in 0:2,1.5:0");
+    refuse("boxes = " + all + ": '" + std::string(part) +
+           "' is no number; expected x:v, as in 0:2,1.5:0");
   text.remove_prefix(part.size());
   return *value;
 }

@@ -22,9 +22,8 @@ void require_step(double dt, const TimewarpOptions& options, double steps) {
 void require_finite_states(const World& world) {
   for (int body = 0; body < world.count(); ++body) {
     if (!is_finite(world.states()[idx(body)]))
-      require::that(false,
-                    "state of " + world.name(body) +
-                        " is not finite: expected numbers for place, orientation and momenta");
+      refuse("state of " + world.name(body) +
+             " is not finite: expected numbers for place, orientation and momenta");
   }
 }
 
