@@ -375,3 +375,62 @@ TEST_CASE("A block of up to 96 touching cubes that falls flat bounces as one by 
         CHECK(simulation.body(box.name).velocity_w().y() == near(3.0 * restitution, 0.01));
     }
 }
+
+namespace {
+
+// What is (x, y) after an impact of a rigid body in a plane, without restitution: the impulses that stop the point r, or those at the
+// bound of friction, against the slip that they leave.
+std::vector<Vec2> after_impact(const Vec2& v, const Vec2& r, double moment, double friction) {
+  const double W_xx = 1.0 + r.y() * r.y() / moment, W_yy = 1.0 + r.x() * r.x() / moment;
+  const double W_xy = -r.x() * r.y() / moment;
+  std::vector<Vec2> found;
+  const double determinant = W_xx * W_yy - W_xy * W_xy;
+  const Vec2 sticks(W_xy * v.y() - W_yy * v.x(), W_xy * v.x() - W_xx * v.y());
+  if (std::abs(sticks.x()) <= friction * sticks.y()) found.emplace_back(v + sticks / determinant);
+  for (const double side : {-1.0, 1.0}) {
+    const double resists = W_yy - side * friction * W_xy;
+    if (!(resists > 0.0)) continue;
+    const Vec2 slides = -v.y() / resists * Vec2(-side * friction, 1.0);
+    if (side * (v.x() + W_xx * slides.x() + W_xy * slides.y()) > 0.0)
+      found.emplace_back(v + slides);
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "A bar that hits the ground with an edge gets the impulse of Coulomb's law, in its plane alone",
+    "[exact][contact_damped]") {
+  // The two points of the edge are solved at once, and much friction does not make the iterations swing.
+  int tried = 0;
+  for (const double friction : {0.3, 0.6, 1.0, 1.2, 1.5, 2.0})
+    for (const double angle : {0.3, 0.6, 0.9, 1.2})
+      for (const double length : {1.0, 3.0})
+        for (const double speed : {-3.0, -1.0, 1.0, 2.0}) {
+          const Vec3 size(length, 0.5, 0.5);
+          const Quat tilted = rotation_from_vector(Vec3(0.0, 0.0, angle));
+          // The lower left edge, as the bar is tilted to the left.
+          const Vec3 edge_w = tilted * Vec3(-0.5 * size.x(), -0.5 * size.y(), 0.0);
+          const Vec2 v(speed, -1.0);
+          const double moment = (size.x() * size.x() + size.y() * size.y()) / 12.0;
+          const std::vector<Vec2> right = after_impact(v, edge_w.head<2>(), moment, friction);
+          if (right.size() != 1) continue;
+          ++tried;
+          Scene scene{.gravity_w = Vec3::Zero(), .ground = SceneGround{.friction = friction}};
+          scene.boxes.push_back({.name = "bar",
+                                 .size = size,
+                                 .mass = 1.0,
+                                 .position_w = Vec3(0.0, -edge_w.y(), 0.0),
+                                 .orientation_wb = tilted,
+                                 .velocity_w = Vec3(v.x(), v.y(), 0.0),
+                                 .friction = friction});
+          Simulation simulation(scene, "contact_damped");
+          simulation.step(1.0 / 240.0);
+          CAPTURE(friction, angle, length, speed);
+          const Vec3 got = simulation.body("bar").velocity_w();
+          CHECK((got.head<2>() - right[0]).norm() < 1e-3);
+          CHECK(std::abs(got.z()) < 1e-6);
+        }
+  CHECK(tried > 100);
+}

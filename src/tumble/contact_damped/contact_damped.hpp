@@ -168,7 +168,7 @@ class ContactDamped : public Technique {
         impulses_before_bounce;                  // by patch: impulses before something bounced
     KeptSolution kept;                           // of an island, while raised targets are tried
     KeptSolution kept_swept;                     // ditto, while a solver is tried
-    KeptSolution kept_block;                     // of a block, ditto
+    KeptSolution kept_block;                     // of a block or after the direct solver, ditto
     IslandBlock block;                           // what sweeps leave of one
     std::vector<MovingBody> held;                // velocities with friction alone
     PivotUpdate pivots;                          // bodies that are moved together

@@ -4,6 +4,7 @@
 #include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_damped/contact_damped.hpp"
 #include "tumble/contact_damped/tolerances.hpp"
+#include "tumble/contact_patches/patch_pressure.hpp"
 #include "tumble/contact_patches/patch_solver.hpp"
 #include "tumble/contact_patches/tolerances.hpp"
 #include "tumble/math/rotation.hpp"

@@ -203,6 +203,12 @@ bool is_small(const Island& island) {
   return island.bodies.size() <= static_cast<std::size_t>(tolerance::small_island);
 }
 
+bool is_steep(const Island& island) {
+  return std::any_of(island.patch_indices.begin(), island.patch_indices.end(), [&](int contact) {
+    return island.all_patches[idx(contact)].friction > tolerance::newton_steepest_friction;
+  });
+}
+
 bool has_impact(const Island& island) {
   return std::any_of(island.patch_indices.begin(), island.patch_indices.end(), [&](int contact) {
     const ContactPatch& patch = island.all_patches[idx(contact)];

@@ -77,6 +77,9 @@ struct SpeedRange {
 /// Whether an island has at most tolerance::small_island bodies.
 [[nodiscard]] bool is_small(const Island& island);
 
+/// Whether an island has friction above tolerance::newton_steepest_friction, for which Newton steps are not tried.
+[[nodiscard]] bool is_steep(const Island& island);
+
 /// Notes how fast the points of an island approach before it is solved.
 /// \param island  `approach` of its points is written
 void note_approach(const Island& island);

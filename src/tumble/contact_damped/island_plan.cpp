@@ -76,7 +76,8 @@ IslandLimits exact_limits(const Island& island, int iterations) {
   limits.max_iterations = tolerance::small_island_iterations * iterations;
   limits.max_stiffness = stiffness_for_masses(island);
   limits.max_newton_steps = tolerance::small_newton_steps;
-  if (limits.max_stiffness >= tolerance::unequal_masses * tolerance::admm_stiffness)
+  if (limits.max_stiffness >= tolerance::unequal_masses * tolerance::admm_stiffness ||
+      is_steep(island))
     limits.more_iterations = tolerance::more_iterations * iterations;
   return limits;
 }
@@ -113,12 +114,11 @@ bool much_moves(const Island& island, const SpeedRange& speed) {
   return speed.moving > tolerance::loose_share && (is_small(island) || !speed.few);
 }
 
-// What an island is like: each kind has its limits.
-enum class IslandKind {
-  exact,   // small, or few of its bodies move: solved to convergence
-  loose,   // much of it moves, and it has to be swept
-  steady,  // large, and some of it moves
-  quiet    // large, and nothing of it moves, or all as one
+enum class IslandKind {  // each has its limits
+  exact,                 // small, or few of its bodies move: solved to convergence
+  loose,                 // much of it moves, and it has to be swept
+  steady,                // large, and some of it moves
+  quiet                  // large, and nothing of it moves, or all as one
 };
 
 IslandKind kind_of(const Island& island, const SpeedRange& speed, bool swept,

@@ -51,7 +51,12 @@ void IslandSolver::project_impulses(std::span<const ContactPatch> patches, Frict
         raise(std::abs(u[2] - auxiliary), primal);
         raise(std::abs(auxiliary - p.auxiliary[2]), dual);
         p.auxiliary[2] = auxiliary;
-        p.impulse = -p.friction * impulse * p.slip_direction;
+        // Friction of the pressure of the iteration before: beyond a coefficient of 1 it comes nearer in small steps, else it
+        // swings.
+        const Vec3 friction = -p.friction * impulse * p.slip_direction;
+        p.impulse = p.friction > tolerance::newton_steepest_friction
+                        ? p.impulse + tolerance::steep_friction_share * (friction - p.impulse)
+                        : friction;
         p.impulse[2] = impulse;
         continue;
       }

@@ -67,7 +67,8 @@ struct IslandResult {
 ///
 /// **Sliding.** A point that slides faster than friction could stop it in four steps has no tangential
 /// spring and no shift; its friction is \f$\mu\f$ times the pressure of the iteration before, against its
-/// direction. So it is at its bound in every iteration. Where that would turn the slide around, as of a light plank under a
+/// direction. So it is at its bound in every iteration; with friction above 1 it comes nearer to that, by
+/// tolerance::steep_friction_share. Where that would turn the slide around, as of a light plank under a
 /// heavy crate, the point becomes one like others.
 ///
 /// **Newton steps** follow where ADMM does not converge, with the shift of its last velocities for all points. Stiff springs

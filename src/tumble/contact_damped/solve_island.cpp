@@ -23,10 +23,14 @@ double sweep_number(int k, const Island& island, const IslandPlan& plan, StepRep
                plan.skipped_residual, report, changes);
 }
 
-// Sweeps over an island until little changes, so many at most.
-void sweep_at_most(int most, const Island& island, const IslandPlan& plan, StepReport& report) {
-  for (int k = 0; k < most; ++k)
-    if (sweep_number(k, island, plan, report) < plan.residual) return;
+// Sweeps over an island until little changes, so many at most. Returns by how much the last one changed a velocity [m/s].
+double sweep_at_most(int most, const Island& island, const IslandPlan& plan, StepReport& report) {
+  double residual = 0.0;
+  for (int k = 0; k < most; ++k) {
+    residual = sweep_number(k, island, plan, report);
+    if (residual < plan.residual) break;
+  }
+  return residual;
 }
 
 // Whether slow patches of an island are held, and none sinks deeply.
@@ -51,15 +55,18 @@ bool sweep_on(const Island& island, const IslandPlan& plan, const FirstSweeps& f
 }
 
 // All patches together. Returns `swept` if the direct solver did not accept the island. A result that has not converged is the
-// start of sweeps, which put friction back into its cone, and stop approach.
+// start of sweeps, which put friction back into its cone, and stop approach. With much friction sweeps may not converge: they are
+// undone if they end farther from a solution.
 IslandOutcome solve_directly(const Island& island, const IslandPlan& plan, IslandSolver& solver,
-                             StepReport& report) {
+                             KeptSolution& before, StepReport& report) {
   const IslandResult result = solver.solve(island, plan.direct);
   report.iterations += result.iterations;
   report.pivots += result.factorizations;  // the costliest part of the work, as pivots elsewhere
   if (!result.accepted) return IslandOutcome::swept;
   if (result.converged || result.improved) return IslandOutcome::direct;
-  sweep_at_most(plan.sweeps_if_unconverged, island, plan, report);
+  before.keep(island);
+  const double residual = sweep_at_most(plan.sweeps_if_unconverged, island, plan, report);
+  if (is_steep(island) && residual > result.residual) before.restore(island);
   return IslandOutcome::unconverged;
 }
 
@@ -100,11 +107,11 @@ bool sweep_and_solve_blocks(const Island& island, const IslandPlan& plan, Island
 // Of the impulses that sweeps have found, and those of the direct solver, the ones with which bodies sink less into each
 // other. Where little sinks the direct solver is not tried.
 IslandOutcome solve_if_sinking(const Island& island, const IslandPlan& plan, IslandSolver& solver,
-                               KeptSolution& before, StepReport& report) {
+                               KeptSolution& before, KeptSolution& direct, StepReport& report) {
   const double swept = deepest_sinking(island);
   if (swept < tolerance::deep_sinking) return IslandOutcome::swept;
   before.keep(island);
-  const IslandOutcome outcome = solve_directly(island, plan, solver, report);
+  const IslandOutcome outcome = solve_directly(island, plan, solver, direct, report);
   const bool wrong = outcome == IslandOutcome::unconverged && pushes_apart(island);
   if (outcome != IslandOutcome::swept && !wrong && deepest_sinking(island) < swept) return outcome;
   before.restore(island);
@@ -210,7 +217,9 @@ void ContactDamped::solve_again(const Island& island, StepReport& report) {
 IslandOutcome ContactDamped::run_plan(const Island& island, const IslandPlan& plan,
                                       const FirstSweeps& first, StepReport& report) {
   // [S6.3.1:methods]
-  const auto directly = [&] { return solve_directly(island, plan, memory_.island_solver, report); };
+  const auto directly = [&] {
+    return solve_directly(island, plan, memory_.island_solver, storage_.kept_block, report);
+  };
   auto outcome = IslandOutcome::swept;
   switch (plan.method) {
     case IslandMethod::settled: break;
@@ -221,8 +230,8 @@ IslandOutcome ContactDamped::run_plan(const Island& island, const IslandPlan& pl
     case IslandMethod::sweep_unless_sinking:
       // Much of it moves, and there is time for the direct solver.
       if (!sweep_on(island, plan, first, report))
-        outcome =
-            solve_if_sinking(island, plan, memory_.island_solver, storage_.kept_swept, report);
+        outcome = solve_if_sinking(island, plan, memory_.island_solver, storage_.kept_swept,
+                                   storage_.kept_block, report);
       break;
     case IslandMethod::sweep_then_direct:
       // Little of it moves, or fast, or it slides, or sweeps converge.

@@ -2,6 +2,7 @@
 /// \brief The pressure of a contact patch, about whose centre friction acts (thesis 6.3.1).
 #pragma once
 
+#include "tumble/contact/tolerances.hpp"
 #include "tumble/contact_patches/contact_patch.hpp"
 
 #include <cmath>
@@ -43,6 +44,21 @@ struct PatchPressure {
 /// \return [N m s]
 [[nodiscard]] inline double moment_of(const PatchPressure& at, double along, double across) {
   return at.along * across - at.across * along;
+}
+
+/// Whether friction of a patch is at the bound of solve_patch(), by force, by moment or by both: it slides, spins or does not
+/// push. Below it the patch sticks.
+/// \param patch  solved
+/// \return true if so, to within tolerance::friction_limit
+[[nodiscard]] inline bool is_at_friction_bound(const ContactPatch& patch) {
+  const PatchPressure at = pressure_of(patch);
+  const double moment =
+      patch.twist_impulse - moment_of(at, patch.along_impulse, patch.across_impulse);
+  const double turned = at.lever > 0.0 ? moment * at.normal / at.lever : 0.0;
+  const double bound = (1.0 - tolerance::friction_limit) * patch.friction * at.normal;
+  return patch.along_impulse * patch.along_impulse + patch.across_impulse * patch.across_impulse +
+             turned * turned >=
+         bound * bound;
 }
 
 }  // namespace tumble

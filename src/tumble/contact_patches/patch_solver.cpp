@@ -188,9 +188,34 @@ bool solve_pressure_at_once(ContactPatch& patch, PatchUpdate& update) {
   return true;
 }
 
+// The same of the two points of an edge. One after the other, the first would take what is left of the second, and friction
+// would turn a body that is its own mirror image.
+bool solve_pair_at_once(ContactPatch& patch, PatchUpdate& update) {
+  ContactPatchPoint& p = patch.points[0];
+  ContactPatchPoint& q = patch.points[1];
+  const Six of_p = response_to(p, patch.inverse_mass), of_q = response_to(q, patch.inverse_mass);
+  const double pp = speed_at(p, of_p), pq = speed_at(p, of_q), qq = speed_at(q, of_q);
+  const double determinant = pp * qq - pq * pq;
+  if (!(determinant > tolerance::rounding * pp * qq)) return false;
+  const double wrong_p = p.target - speed_at(p, update.motion);
+  const double wrong_q = q.target - speed_at(q, update.motion);
+  const double more_p = (qq * wrong_p - pq * wrong_q) / determinant;
+  const double more_q = (pp * wrong_q - pq * wrong_p) / determinant;
+  if (!(p.impulse + more_p >= 0.0 && q.impulse + more_q >= 0.0)) return false;
+  p.impulse += more_p;
+  q.impulse += more_q;
+  for (std::size_t k = 0; k < 6; ++k) update.motion[k] += of_p[k] * more_p + of_q[k] * more_q;
+  update.change[six::normal] += more_p + more_q;
+  update.change[six::roll_along] += more_p * p.across + more_q * q.across;
+  update.change[six::roll_across] -= more_p * p.along + more_q * q.along;
+  update.largest_change = std::max({update.largest_change, std::abs(wrong_p), std::abs(wrong_q)});
+  return true;
+}
+
 // Pressure, with friction held: of all points at once, or of one after the other.
 void solve_pressure(ContactPatch& patch, PatchUpdate& update) {
   if (patch.targets_planar && solve_pressure_at_once(patch, update)) return;
+  if (patch.count == 2 && solve_pair_at_once(patch, update)) return;
   for (ContactPatchPoint& p : patch.used()) {
     solve_point(p, p.target, patch.inverse_mass, p.impulse, update);
   }
@@ -248,17 +273,6 @@ double solve_patch(ContactPatch& patch, MovingBody& first, MovingBody& second, i
   if (correction > 0.0) apply(update.change, patch, first, second);
   // [S6.3.1:patch]
   return correction;
-}
-
-bool is_at_friction_bound(const ContactPatch& patch) {
-  const PatchPressure at = pressure_of(patch);
-  const double moment =
-      patch.twist_impulse - moment_of(at, patch.along_impulse, patch.across_impulse);
-  const double turned = at.lever > 0.0 ? moment * at.normal / at.lever : 0.0;
-  const double bound = (1.0 - tolerance::friction_limit) * patch.friction * at.normal;
-  return patch.along_impulse * patch.along_impulse + patch.across_impulse * patch.across_impulse +
-             turned * turned >=
-         bound * bound;
 }
 
 void require_separation(double slowest, ContactPatch& patch) {

@@ -37,12 +37,6 @@ namespace tumble {
 double solve_patch(ContactPatch& patch, MovingBody& first, MovingBody& second, int iterations,
                    double residual = 0.0);
 
-/// Whether friction of a patch is at the bound of solve_patch(), by force, by moment or by both: it slides, spins or does not
-/// push. Below it the patch sticks.
-/// \param patch  solved
-/// \return true if so, to within tolerance::friction_limit
-[[nodiscard]] bool is_at_friction_bound(const ContactPatch& patch);
-
 /// Restitution: sets the separation velocity of points that have an impulse and approached fast as their target,
 /// Newton's \f$v_n \ge -e\,v_n^-\f$, and 0 for others with an impulse. Solving the patch again then
 /// gives the remaining impulse, including friction.
