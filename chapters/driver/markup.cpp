@@ -73,11 +73,11 @@ std::string label_of(const std::string& kind, const std::string& id) {
 
 std::string chapter_title(std::string chapter) {
   for (char& c : chapter) c = c == '_' ? ' ' : c;
+  if (const std::size_t at = chapter.find("lcp"); at != std::string::npos)
+    chapter.replace(at, 3, "LCP");  // letters that stand for words
   if (!chapter.empty() && chapter[0] >= 'a' && chapter[0] <= 'z') {
     chapter[0] = static_cast<char>(chapter[0] - 'a' + 'A');
   }
-  if (const std::size_t at = chapter.find(" lcp"); at != std::string::npos)
-    chapter.replace(at, 4, " LCP");  // letters that stand for words
   return chapter.empty() ? "Others" : chapter;
 }
 
