@@ -64,9 +64,10 @@ IslandOutcome solve_directly(const Island& island, const IslandPlan& plan, Islan
   report.pivots += result.factorizations;  // the costliest part of the work, as pivots elsewhere
   if (!result.accepted) return IslandOutcome::swept;
   if (result.converged || result.improved) return IslandOutcome::direct;
-  before.keep(island);
+  const bool steep = is_steep(island);
+  if (steep) before.keep(island);
   const double residual = sweep_at_most(plan.sweeps_if_unconverged, island, plan, report);
-  if (is_steep(island) && residual > result.residual) before.restore(island);
+  if (steep && residual > result.residual) before.restore(island);
   return IslandOutcome::unconverged;
 }
 

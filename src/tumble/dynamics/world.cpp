@@ -5,11 +5,9 @@
 #include "tumble/base/error.hpp"
 #include "tumble/base/number_text.hpp"
 #include "tumble/base/suggestion.hpp"
-#include "tumble/base/tolerances.hpp"
 #include "tumble/dynamics/tolerances.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 

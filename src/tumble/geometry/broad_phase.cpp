@@ -5,7 +5,6 @@
 
 #include "tumble/base/cloned.hpp"
 #include "tumble/base/error.hpp"
-#include "tumble/base/number_text.hpp"
 #include "tumble/geometry/bounding_tree.hpp"
 #include "tumble/geometry/cell_trees.hpp"
 #include "tumble/geometry/hashed_grid.hpp"
@@ -29,11 +28,6 @@ bool sound(const Bounds& b) {
          (b.high.array() > -kInfinity).all();
 }
 
-std::string text(const Vec3& v) {
-  std::string out = shortest_text(v.x());
-  return out.append(", ").append(shortest_text(v.y())).append(", ").append(shortest_text(v.z()));
-}
-
 // Tests every pair of bounds, n (n - 1) / 2 of them: simplest, and the judge of the others.
 class AllPairs final : public Cloned<BroadPhase, AllPairs> {
  public:
@@ -53,8 +47,8 @@ class AllPairs final : public Cloned<BroadPhase, AllPairs> {
 void BroadPhase::find_pairs(std::span<const Bounds> bounds, std::vector<IndexPair>& out) {
   for (std::size_t i = 0; i < bounds.size(); ++i) {
     if (sound(bounds[i])) continue;
-    refuse("bounds[" + std::to_string(i) + "] from (" + text(bounds[i].low) + ") to (" +
-           text(bounds[i].high) + "): give low <= high in every coordinate, and no NaN");
+    refuse("bounds[" + std::to_string(i) + "] from " + vector_text(bounds[i].low) + " to " +
+           vector_text(bounds[i].high) + ": give low <= high in every coordinate, and no NaN");
   }
   pair_tests_ = 0;
   out.clear();
